@@ -27,9 +27,9 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double out_of_reach = 10;  // gap (mm) of elements that have no wheel or no rail
+constexpr double out_of_reach = 10;  // gap (mm) of elements without wheel or rail
 
-/// With the name that the profile has in the setup.
+/// Returns a profile; errors use its name in the setup.
 Profile profile_of(const ProfileSpec& spec, const std::string& name) {
     return renaming(in_place_of("profile", name), [&] { return make_profile(spec); });
 }
@@ -38,7 +38,7 @@ ProfileCurve curve_of(const ProfileSpec& spec, const std::string& name) {
     return profile_of(spec, name).curve;
 }
 
-/// Checks that the profiles and the sizes around them fit each other.
+/// Checks that the profiles and the sizes around them are consistent.
 void check_fit(const WheelRailSetup& setup, const ProfileCurve& wheel, const ProfileCurve& rail) {
     const double rail_width = rail.points().back().y - rail.points().front().y;
     if (!setup.track.rail_origin && !(setup.track.gauge > rail_width))
@@ -59,7 +59,7 @@ WheelsetPosition at_zero(WheelsetPosition position) {
     return position;
 }
 
-/// Above the plane of the reference; not a number where a surface does not stand above it.
+/// Returns heights above the plane of the reference, which are NaN where a surface does not stand above it.
 SurfaceHeights heights_of(const WheelRailSetup& setup, const WheelSurface& wheel, const RailSurface& rail,
                           const CandidatePatch& found) {
     const ContactPlace& place = found.place;
@@ -73,7 +73,8 @@ SurfaceHeights heights_of(const WheelRailSetup& setup, const WheelSurface& wheel
                 : meshed_wheel_heights(wheel, {place, found.needed, found.counted_from}, points)};
 }
 
-/// Distances along the normal of the plane, or of each row; not a number where wheel or rail are not above the plane.
+/// Returns distances along the normal of the plane, or of each row, which are NaN where wheel or rail are not above the
+/// plane.
 std::vector<double> distances(const RailSurface& rail, const ContactPlace& place, const SurfaceHeights& heights) {
     std::vector<double> h = heights.wheel;
     const auto nx = static_cast<std::size_t>(place.grid.nx);
@@ -84,7 +85,7 @@ std::vector<double> distances(const RailSurface& rail, const ContactPlace& place
     return h;
 }
 
-/// Leaves out the distances of elements that may not be in contact.
+/// Excludes the distances of elements that may not be in contact.
 void keep_apart(const Grid& grid, const Grid& touches, std::vector<double>& h) {
     const long left = std::lround((touches.x0 - grid.x0) / grid.dx),
                below = std::lround((touches.y0 - grid.y0) / grid.dy);
@@ -94,7 +95,7 @@ void keep_apart(const Grid& grid, const Grid& touches, std::vector<double>& h) {
     }
 }
 
-/// Makes gaps of distances; returns the approach.
+/// Converts distances to gaps; returns the approach.
 double take_out_approach(std::vector<double>& h) {
     double least = std::numeric_limits<double>::infinity();
     for (const double distance : h)
@@ -118,12 +119,12 @@ ContactRadii radii_of(const WheelSurface& wheel, const RailSurface& rail, const 
             radius(rail_curvature * upright), radius(rail.profile().curvature(rail_s))};
 }
 
-/// Counts the points of slices that are files, of which nobody knows how many there are before they are read.
+/// Counts the points of slices that are files, whose number is unknown before they are read.
 class PointsOfFiles {
    public:
     explicit PointsOfFiles(const char* field) : field_(field) {}
 
-    /// Throws InvalidArgument when there are too many.
+    /// Throws InvalidArgument if there are too many.
     void add(const ProfileSpec& spec, const ProfileCurve& curve) {
         if (std::holds_alternative<ProfileFile>(spec.shape)) points_ += curve.points().size();
         if (points_ > most_points_of_slices)
@@ -136,7 +137,7 @@ class PointsOfFiles {
     std::size_t points_ = 0;
 };
 
-/// `mirrored` becomes whether all slices have their gauge side at y > 0; single ones may, of noses and wings.
+/// Sets `mirrored` if all slices have their gauge side at y > 0; single ones may, such as noses and wings.
 std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup, bool& mirrored, const Observer& observer) {
     if (setup.rail_slices.empty()) return nullptr;
     std::vector<SlicedRail::Slice> slices;
@@ -153,7 +154,7 @@ std::shared_ptr<const SlicedRail> sliced_rail(const WheelRailSetup& setup, bool&
     return std::make_shared<const SlicedRail>(slices, setup.rail_spline);
 }
 
-/// The curves of the slices; none of a round wheel.
+/// Returns the curves of the slices, or none for a round wheel.
 std::vector<ProfileCurve> wheel_slices(const WheelRailSetup& setup, const Observer& observer) {
     std::vector<ProfileCurve> curves;
     PointsOfFiles points("wheel_slices");
@@ -172,7 +173,7 @@ std::shared_ptr<const OutOfRound> out_of_round(const WheelRailSetup& setup, cons
     return std::make_shared<const OutOfRound>(std::move(angles), slices, setup.wheel_spline);
 }
 
-/// Bodies touch where the stiffer one would be without the other: its part is the compliance of the other.
+/// Bodies touch where the stiffer one would be without the other: the share of a body is the compliance of the other.
 double rail_share(const Bodies& bodies) {
     const MaterialPair both = bodies.materials();
     const double of_wheel = MaterialPair{Material::rigid(), both.lower}.normal_compliance();
@@ -190,8 +191,8 @@ std::unique_ptr<OverlapSearch> search_of(const WheelRailSetup& setup, const Whee
     const bool by_mesh = setup.patches.search == ContactSearch::mesh || !wheel.is_round();
     if (by_mesh && setup.wheel_surface == WheelSurfaceKind::bilinear)
         return std::make_unique<MeshSearch>(wheel, rail, search_nodes(wheel, setup.dx), 0.75 * setup.dy, observer);
-    // In elements, as the established program has it, but neither so coarse that contacts on flanks lie between nodes
-    // nor so fine that a mesh has millions of them (mm).
+    // Steps are in elements, as in reference programs, but limited (mm): contacts on flanks must not lie between nodes,
+    // and a mesh must not have millions of them.
     if (by_mesh)
         return std::make_unique<MeshSearch>(wheel, rail, std::clamp(1.5 * setup.dx, 0.1, 0.75),
                                             std::clamp(0.75 * setup.dy, 0.05, 0.2), observer);
@@ -285,8 +286,8 @@ void Position::take_creepages(CandidatePatch& found, const WheelSurface& wheel) 
     found.rail_speed = rail_speed(wheel, rail_, state_, place.reference, place.approach);
 }
 
-/// Elements of a transient contact lie at multiples of their sizes along and across the rail, so that they stay where
-/// they are while the reference moves. Those of steady rolling are not needed any more, and lie about the reference.
+/// Elements of a transient contact lie at multiples of their sizes along and across the rail, so that they do not move
+/// with the reference. Those of steady rolling are not reused, and lie about the reference.
 void Position::find_elements(CandidatePatch& found) const {
     const ContactReference& reference = found.place.reference;
     RailPlace& on_rail = found.place.on_rail;
@@ -298,12 +299,12 @@ void Position::find_elements(CandidatePatch& found) const {
                     next(on_rail.across, setup_.dy)};
 }
 
-/// Those of a transient contact stay as they are, since tractions do that lie on them.
+/// Elements of a transient contact are not doubled, because the tractions on them are kept.
 int Position::most_elements() const {
     return state_.motion == WheelRailMotion::steady_rolling ? setup_.patches.max_elements : 0;
 }
 
-/// Makes the place a curved one, where that is asked for; false where rail and wheel do not face each other there.
+/// Makes the place a curved one if requested. Returns false if rail and wheel do not face each other there.
 bool Position::bend(CandidatePatch& found, const WheelSurface& wheel) const {
     ContactPlace& place = found.place;
     Extent y = place.regions.front().y;
@@ -331,7 +332,7 @@ void Position::widen(CandidatePatch& found, const Grid& grid, double z) const {
     bend(found, wheel_.lowered(z));
 }
 
-/// How far ahead solvers take the spin of creepages (mm).
+/// Returns the distance ahead at which solvers evaluate the spin of creepages (mm).
 double Position::spin_ahead(const ContactPlace& place) const {
     if (state_.motion == WheelRailMotion::shift) return 0;
     const bool by_time = state_.motion == WheelRailMotion::transient_rolling && state_.time_step;
@@ -358,7 +359,7 @@ bool Position::measure(CandidatePatch& found, double z) const {
         if (round + 1 == most_rounds || !grow(grid, found.gap, place.approach)) break;
         const Grid before = place.grid;
         widen(found, convenient(grid, flat), z);
-        if (place.grid == before) break;  // there are no more rows
+        if (place.grid == before) break;  // There are no more rows.
     }
     if (rail_.varies() && setup_.slope_forces != SlopeForces::none)
         add_slopes_at_elements(found.slopes, place.grid, heights.rail);

@@ -1,4 +1,4 @@
-// A right wheel on its rail in one position: where they touch, and how far they are apart there.
+// Represents a right wheel on its rail in one position: their contacts and distances.
 #pragma once
 
 #include <memory>
@@ -21,63 +21,67 @@
 
 namespace contactd::geometry {
 
-/// Profiles of the right side; y ascends along both.
+/// Holds profiles of the right side; y ascends along both.
 struct Profiles {
     ProfileCurve wheel, rail;
     ProfilePoint rail_origin;
-    std::shared_ptr<const SlicedRail> slices{};        ///< in place of the rail
-    std::shared_ptr<const OutOfRound> out_of_round{};  ///< beside the wheel's profile, which is that of its first slice
-    std::vector<std::string> wheel_warnings{}, rail_warnings{};  ///< as of ProfileEvidence, or of all slices
-    std::optional<WheelLandmarks> landmarks{};                   ///< of the wheel, or its first slice
+    std::shared_ptr<const SlicedRail> slices{};        ///< instead of the rail
+    std::shared_ptr<const OutOfRound> out_of_round{};  ///< in addition to the wheel's profile, which is that of its
+                                                       ///< first slice
+    std::vector<std::string> wheel_warnings{}, rail_warnings{};  ///< as in ProfileEvidence, or for all slices
+    std::optional<WheelLandmarks> landmarks{};                   ///< of the wheel, or of its first slice
 };
 
-/// Throws InvalidArgument ("wheel.points[i]", "rail.points", ...) where the setup's profiles cannot be used, and
-/// Cancelled when the observer, which is asked slice by slice, says so.
+/// Makes the profiles. Throws InvalidArgument ("wheel.points[i]", "rail.points", ...) if the setup's profiles cannot be
+/// used, and Cancelled if the observer, which is called for each slice, cancels.
 Profiles make_profiles(const WheelRailSetup& setup, const Observer& observer = {});
 
-/// For who never ends a search.
+/// This observer never cancels a search.
 inline const Observer no_observer{};
 
 struct CandidatePatch {
     ContactPlace place;
-    std::vector<double> gap;  ///< as in WheelRailPatch; empty until measured, and where a paraboloid stands for it
+    std::vector<double> gap;  ///< as in WheelRailPatch; empty until measured, and if a paraboloid replaces it
     Paraboloid paraboloid{};
     double row_on_rail = 0, row_on_wheel = 0;  ///< arc lengths of the first row along the profiles (mm)
-    Grid needed{};                             ///< what the overlap needs, with no more elements beside it
-    std::optional<Grid> touches{};             ///< elements that may be in contact, where not all of the grid's may
-    ElementMiddle middle;                      ///< where elements lie
-    ElementMiddle counted_from;  ///< where they are counted from, in the plane; the reference, of steady rolling
-    int more_below = 0, more_above = 0;  ///< rows of a curved contact beside those that it needs
-    std::vector<RowSlip> row_slips;      ///< of rigid slip by surfaces only
-    RigidSlip additional_slip;           ///< of curved contacts: beside the creepages, of each element
-    double rail_speed = 0;               ///< at which its surface passes through the contact (mm/s)
-    SlopesAlong slopes{};                ///< of the rail, where forces follow them
+    Grid needed{};                             ///< grid that the overlap needs, without additional elements
+    std::optional<Grid> touches{};             ///< elements that may be in contact, if these are not all elements of
+                                               ///< the grid
+    ElementMiddle middle;                      ///< position of elements
+    ElementMiddle counted_from;          ///< origin of counting elements in the plane; the reference for steady rolling
+    int more_below = 0, more_above = 0;  ///< additional rows of a curved contact
+    std::vector<RowSlip> row_slips;      ///< only for rigid slip by surfaces
+    RigidSlip additional_slip;           ///< for curved contacts: slip of each element in addition to the creepages
+    double rail_speed = 0;               ///< speed at which the rail's surface passes through the contact (mm/s)
+    SlopesAlong slopes{};                ///< of the rail, if forces follow them
     QualityFlags quality{};
 };
 
-/// position.z of the state is that of no function here, but an argument.
+/// Functions take z as an argument and ignore position.z of the state.
 class Position {
    public:
-    /// All must live longer. Here and later the observer may have a search or a measurement end with Cancelled.
+    /// All arguments must outlive this object. Here and later, the observer may end a search or a measurement with
+    /// Cancelled.
     Position(const WheelRailSetup& setup, const Profiles& profiles, const WheelRailState& state,
              const Observer& observer = no_observer);
     Position(const Position&) = delete;
 
-    /// Least vertical distance (mm), negative where wheel and rail overlap; infinite where they are not above each
-    /// other.
+    /// Returns the least vertical distance (mm), negative where wheel and rail overlap, infinite if they are not above
+    /// each other.
     double clearance(double z) const { return search_->least_gap() - z; }
-    /// From the right to the left, still without gaps: approaches are those of the search, vertical penetrations seen
-    /// along the normal.
+    /// Returns candidates from right to left, without gaps. Approaches are those of the search: vertical penetrations
+    /// seen along the normal.
     std::vector<CandidatePatch> candidates(double z) const;
-    /// Returns where the rail meets the wheel beside all candidates, because the search does not look there.
+    /// Returns a place where the rail meets the wheel outside all candidates, because the search does not consider it.
     std::optional<PassedOver> passed_over(double z) const { return search_->passed_over(z); }
-    /// Takes gap and approach at the elements, and what follows from them; of simplified models nothing is left to do.
-    /// False where no element has wheel and rail along its normal: that is no place of contact.
+    /// Computes gap and approach at the elements, and dependent values; simplified models need nothing more. Returns
+    /// false if no element has wheel and rail along its normal, so that there is no contact.
     bool measure(CandidatePatch& found, double z) const;
-    /// Gives a candidate the elements of this grid, of which it has a part already; fewer where a curved contact ends.
-    /// Throws InvalidArgument ("dx") for too many.
+    /// Extends a candidate to the elements of this grid, of which it already has a part, or to fewer where a curved
+    /// contact ends. Throws InvalidArgument ("dx") for too many.
     void widen(CandidatePatch& found, const Grid& grid, double z) const;
-    /// The normal force that Hertz's theory expects of the regions, in the track's z (N); `compliance` as in hertz.hpp.
+    /// Returns the normal force that Hertz's theory expects for the regions, in the track's z (N); `compliance` is as
+    /// in hertz.hpp.
     double expected_force(double z, double compliance) const;
     const RailSurface& rail() const { return rail_; }
     WheelSurface wheel(double z) const { return wheel_.lowered(z); }

@@ -11,7 +11,7 @@ constexpr double facing = 0.9;  // least length of the mean of both normals
 constexpr double least_cosine = 0.1;
 constexpr int beside = 2;  // rows on both sides
 
-/// A point of a surface in the plane x = const of the track, and the direction of the surface there.
+/// Describes a point of a surface in the plane x = const of the track, and the direction of the surface there.
 struct SectionPoint {
     double y, z, y_slope, z_slope;
 };
@@ -27,7 +27,7 @@ class RailSection {
 
     double start() const { return start_; }
 
-    /// At so much arc length from the reference; none beyond the profile.
+    /// Returns the point at this arc length from the reference, or nothing beyond the profile.
     std::optional<SectionPoint> at(double from_reference) const {
         const double arc = start_ + from_reference;
         if (!(arc >= 0 && arc <= length_)) return std::nullopt;
@@ -61,7 +61,7 @@ class WheelSection {
 
    private:
     Vector3 point(double arc) const {
-        constexpr int iterations = 4;  // each leaves a part of what the axle leans
+        constexpr int iterations = 4;  // each reduces the error by the lean of the axle
         const double s = wheel_.profile().s_at_arc_length(arc);
         const Frame& frame = wheel_.frame();
         double x = frame.inside({x_, 0, frame.origin.z + wheel_.nominal_radius()}).x;
@@ -77,7 +77,7 @@ class WheelSection {
     double x_, start_ = 0, length_ = 0;
 };
 
-/// Half-way between both; none where they do not face each other.
+/// Returns the row half-way between both, or nothing if they do not face each other.
 std::optional<ContactRow> row_between(const std::optional<SectionPoint>& rail,
                                       const std::optional<SectionPoint>& wheel) {
     if (!rail || !wheel) return std::nullopt;
@@ -106,7 +106,7 @@ CurvedRows curved_rows(const WheelSurface& wheel, const RailSurface& rail, const
     const auto row = [&](int i) -> std::optional<ContactRow> {
         const double at = i * step + middle;
         const std::optional<ContactRow> between = row_between(on_rail.at(at), on_wheel.at(at));
-        // Beyond, rows would stand upright on the plane of the reference.
+        // Further rows would be perpendicular to the plane of the reference.
         if (between && std::cos(between->angle - reference.angle) < least_cosine) return std::nullopt;
         return between;
     };
@@ -114,7 +114,7 @@ CurvedRows curved_rows(const WheelSurface& wheel, const RailSurface& rail, const
     const std::optional<ContactRow> start = row(0);
     if (!start) return found;
     found.rows.push_back(*start);
-    // From the reference to both sides, as long as rows lie within, and some more.
+    // Adds rows from the reference to both sides while they lie within, and some more.
     const auto extend = [&](int direction, int more, const auto& is_within, const auto& add) {
         int left = beside + more;
         for (int i = direction; left > 0; i += direction) {

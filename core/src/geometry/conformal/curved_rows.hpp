@@ -1,4 +1,4 @@
-// A contact that is curved across the track: rows of elements half-way between rail and wheel.
+// Describes a contact that is curved across the track by rows of elements half-way between rail and wheel.
 #pragma once
 
 #include <vector>
@@ -10,20 +10,20 @@
 
 namespace contactd::geometry {
 
-/// Rows lie at multiples of a step along the surfaces, counted from one at or beside the reference.
+/// Holds rows at multiples of a step along the surfaces, counted from a row at or beside the reference.
 struct CurvedRows {
     int first = 0;
     std::vector<ContactRow> rows;
-    /// Arc lengths of the first row along both profiles, from their beginning (mm).
+    /// These are the arc lengths of the first row along both profiles, from their beginning (mm).
     double on_rail = 0, on_wheel = 0;
 
-    /// Where they are in the plane of the reference, across the track.
+    /// Returns the positions of the rows in the plane of the reference, across the track.
     std::vector<double> in_plane(const ContactReference& reference) const;
 };
 
-/// Those whose middle lies between `y`, where both surfaces face each other, with two more on both sides, and so many
-/// more still. Points of rail and wheel are at equal arc lengths from the reference, and the row that is counted from
-/// is at `middle`.
+/// Returns the rows whose middle lies between `y`, where both surfaces face each other, with two more on both sides,
+/// plus `more_below` and `more_above`. Points of rail and wheel are at equal arc lengths from the reference, and the
+/// row from which rows are counted is at `middle`.
 CurvedRows curved_rows(const WheelSurface& wheel, const RailSurface& rail, const ContactReference& reference,
                        const Extent& y, double step, double middle = 0, int more_below = 0, int more_above = 0);
 

@@ -17,11 +17,11 @@ struct Slip {
     double along = 0, across = 0;
 };
 
-/// Both surfaces, at points that face each other.
+/// Represents both surfaces, at points that face each other.
 class FacingSurfaces {
    public:
-    /// `along_track` is how fast the contact moves there: seen from it both surfaces run through it, and lean; none
-    /// where they do not lean.
+    /// `along_track` is the speed at which the contact moves. Relative to it both surfaces pass through the contact,
+    /// and lean; it is absent if they do not lean.
     FacingSurfaces(const WheelSurface& wheel, const RailSurface& rail, const WheelRailState& state, double rail_share,
                    double velocity, std::optional<double> along_track)
         : wheel_(wheel),
@@ -54,7 +54,7 @@ class FacingSurfaces {
     std::optional<double> along_track_;
 };
 
-/// w_x = xi - phi y, w_y = eta + phi x.
+/// Fits w_x = xi - phi y, w_y = eta + phi x.
 class CreepageFit {
    public:
     void add(double x, double y, const Slip& slip) {
@@ -92,7 +92,7 @@ CurvedSlip curved_slip(const WheelSurface& wheel, const RailSurface& rail, const
     const PlanePoints points =
         curved ? PlanePoints(grid, CurvedRows{.rows = place.rows}.in_plane(place.reference)) : PlanePoints(grid);
     const auto& [of_rail_surface, of_wheel_surface] = heights;
-    // The contact moves along a rail and stays on a roller.
+    // The contact moves along a rail, but stays on a roller.
     std::optional<double> along_track;
     if (rolls) along_track = rail.axle() ? 0 : state.velocity.x;
     if (!rolls && convention.leans_in_shifts) along_track = result.creepages.velocity;

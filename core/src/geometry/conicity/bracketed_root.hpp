@@ -1,12 +1,12 @@
-// Where a function of one variable changes its sign.
+// Finds a sign change of a function of one variable.
 #pragma once
 
 #include <cmath>
 
 namespace contactd::geometry {
 
-/// Between `low` and `high`, where the values have different signs or one is zero: by the Illinois method, with a
-/// halving where that is slow.
+/// Returns the root between `low` and `high`, where the values have different signs or one is zero, by the Illinois
+/// method. It halves the interval if that converges slowly.
 template <class Function>
 double bracketed_root(double low, double high, double at_low, double at_high, double tolerance,
                       const Function& function) {

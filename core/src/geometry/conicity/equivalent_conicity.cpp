@@ -14,7 +14,8 @@
 namespace contactd {
 namespace {
 
-constexpr double first_room = 1, most_room = 32;  // mm: that the centre of the motion may lie beside that of the track
+// The centre of the motion may lie at these distances (mm) from that of the track.
+constexpr double first_room = 1, most_room = 32;
 
 void check(std::span<const double> amplitudes, const ConicitySettings& settings) {
     for (std::size_t i = 0; i < amplitudes.size(); ++i)
@@ -38,7 +39,7 @@ void check_rails(const WheelsetOnTrack& wheelset) {
                     "; the equivalent conicity is defined for a wheelset on rails, not on rollers: remove it");
 }
 
-/// A wheelset at the shifts that were looked at.
+/// Represents a wheelset at the evaluated shifts.
 class Shifts {
    public:
     Shifts(const WheelsetOnTrack& wheelset, const ConicitySettings& settings, const Observer& observer)
@@ -67,7 +68,8 @@ class Shifts {
     std::vector<double> at_ends_;
 };
 
-/// Twice as far to a side where a centre may still lie; as far as now where none may, or it would be too far.
+/// Returns the range doubled to a side where a centre may still lie, and unchanged where none may, or where it would be
+/// too far.
 geometry::Reach wider(const geometry::RadiusDifference& difference, std::span<const double> amplitudes,
                       double largest) {
     geometry::Reach reach = difference.reach();
@@ -82,7 +84,7 @@ geometry::Reach wider(const geometry::RadiusDifference& difference, std::span<co
     return reach;
 }
 
-/// The difference reaches as far as all centres need, and both wheels are above their rails.
+/// Returns the difference over the range that all centres need, with both wheels above their rails.
 geometry::RadiusDifference difference_around(Shifts& shifts, std::span<const double> amplitudes, double tolerance) {
     const double largest = *std::max_element(amplitudes.begin(), amplitudes.end());
     geometry::RadiusDifference difference({-largest - first_room, largest + first_room}, tolerance,
@@ -93,7 +95,7 @@ geometry::RadiusDifference difference_around(Shifts& shifts, std::span<const dou
         try {
             difference.extend(reach);
         } catch (const InvalidArgument&) {
-            return difference;  // a wheel has left its rail
+            return difference;  // A wheel has left its rail.
         }
     }
 }

@@ -11,11 +11,12 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double step = 0.5;  // mm: of the search along the wheel
+constexpr double step = 0.5;  // mm: step of the search along the wheel
 constexpr int most_places = 100'000;
-constexpr int closer = 8;          // times finer around what comes near the least, for the bumps of measured profiles
-constexpr double rivals = 0.1;     // mm: what is near
-constexpr double precise = 1e-11;  // mm: of the place along the wheel
+// The search is this many times finer around gaps near the least, because of the bumps of measured profiles.
+constexpr int closer = 8;
+constexpr double rivals = 0.1;     // mm: largest difference of such gaps
+constexpr double precise = 1e-11;  // mm: accuracy along the wheel
 
 class Gap {
    public:
@@ -40,7 +41,7 @@ class Gap {
         return found;
     }
 
-    /// Has the sign of the gap's derivative: the cross product of both tangents.
+    /// Returns the cross product of both tangents, which has the sign of the gap's derivative.
     double slope(double s) const {
         const auto wheel = pair_.wheel.place(s);
         const ProfilePoint rail = pair_.rail.slope(pair_.rail.s_at_y(y_of(wheel.at) - pair_.rail_origin.y));
@@ -57,7 +58,7 @@ class Gap {
     double radius_, shift_, cos_, sin_, inner_, outer_;  // inner and outer: y of the rail's ends
 };
 
-/// Between the neighbours of a sample that is lower than both.
+/// Refines the least gap between the neighbours of a sample that is lower than both.
 LeastGap refined(const Gap& gap, const LeastGap& before, const LeastGap& sample, const LeastGap& behind) {
     if (std::isinf(before.gap) || std::isinf(behind.gap)) {
         LeastGap end = sample;
@@ -65,12 +66,12 @@ LeastGap refined(const Gap& gap, const LeastGap& before, const LeastGap& sample,
         return end;
     }
     const double at_low = gap.slope(before.wheel_s), at_high = gap.slope(behind.wheel_s);
-    if (!(at_low < 0 && at_high > 0)) return sample;  // both are as low
+    if (!(at_low < 0 && at_high > 0)) return sample;  // both are equal
     return gap.at(bracketed_root(before.wheel_s, behind.wheel_s, at_low, at_high, precise,
                                  [&](double s) { return gap.slope(s); }));
 }
 
-/// Along the wheel, in small steps around the least gaps; with nothing beyond both ends.
+/// Samples along the wheel, in small steps around the least gaps, and with nothing beyond both ends.
 std::vector<LeastGap> samples_along(const Gap& gap, double length) {
     const int count =
         count_of(std::ceil(length / step), {"wheel", "has a profile that is " + short_text(length) + " mm long",

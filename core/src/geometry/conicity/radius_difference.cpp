@@ -12,7 +12,7 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int turn = 3600;                                // places of a turn
+constexpr int turn = 3600;                                // points of a turn
 constexpr double first_step = 0.1, smallest_step = 1e-3;  // mm
 
 }  // namespace
@@ -35,7 +35,7 @@ void RadiusDifference::extend(Reach reach) {
         return steps > 0 ? sampled(shifts) : std::vector<Sample>{};
     };
     std::vector<Sample> samples = stretch(reach.low, reach_.low);
-    if (!samples.empty()) samples.pop_back();  // is known
+    if (!samples.empty()) samples.pop_back();  // It is already known.
     for (std::size_t i = 0; i < values_.size(); ++i) samples.push_back({find_.values()[i], values_[i]});
     const std::vector<Sample> above = stretch(reach_.high, reach.high);
     if (!above.empty()) samples.insert(samples.end(), above.begin() + 1, above.end());
@@ -124,10 +124,10 @@ double RadiusDifference::largest_between(double from, double to) const {
     return largest;
 }
 
-// A difference that is a rounding error vanishes. So does one below the precision of the profiles, where it does not
-// swing: points of a cylinder lie beside it by less than that.
+// A difference of the size of rounding errors vanishes. So does one below the precision of the profiles if there is no
+// oscillation: points of a cylinder deviate from it by less.
 bool RadiusDifference::vanishes(double amplitude) const {
-    constexpr double rounding = 1e-9, least_conicity = 1e-3;  // mm; digits of conicities that nobody tells
+    constexpr double rounding = 1e-9, least_conicity = 1e-3;  // mm; least conicity of interest
     const double y = centre(amplitude), middle = std::isnan(y) ? 0 : y;
     const double largest = largest_between(middle - amplitude, middle + amplitude);
     if (largest <= rounding) return true;
@@ -159,7 +159,7 @@ double RadiusDifference::half_swing_around(double amplitude, double y) const {
     if (std::isnan(y)) return y;
     const double ends = (potential(y + amplitude) + potential(y - amplitude)) / 2;
     double sum = 0;
-    for (int k = 0; k < turn; ++k) {  // y + A sin t: the integrand is smooth up to the ends
+    for (int k = 0; k < turn; ++k) {  // With y + A sin t, the integrand is smooth up to the ends.
         const double t = pi * ((k + 0.5) / turn - 0.5);
         sum += amplitude * std::cos(t) / std::sqrt(2 * (ends - potential(y + amplitude * std::sin(t))));
     }

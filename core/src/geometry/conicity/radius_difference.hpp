@@ -1,4 +1,4 @@
-// The difference of rolling radii as a function of the shift, and what a wheelset does under it.
+// Represents the difference of rolling radii as a function of the shift, and the oscillation of a wheelset under it.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 
 namespace contactd::geometry {
 
-/// Shifts at which a function is known (mm).
+/// Holds the range of shifts in which a function is known (mm).
 struct Reach {
     double low = 0, high = 0;  ///< negative, and positive
 
@@ -17,31 +17,34 @@ struct Reach {
 
 class RadiusDifference {
    public:
-    /// Straight lines between values, so close that the function half-way between two differs from their mean by
-    /// `tolerance` at most; at jumps, a micrometre apart.
+    /// The function is linear between samples that are so close that half-way between two it differs from their mean by
+    /// at most `tolerance`; at jumps, they are a micrometre apart.
     RadiusDifference(Reach reach, double tolerance, std::function<double(double)> difference);
-    /// Looks farther on both sides, or as far.
+    /// Extends the range to the larger reach on each side.
     void extend(Reach reach);
     const Reach& reach() const { return reach_; }
 
     double operator()(double shift) const;
-    /// Its integral from the least shift on.
+    /// Returns the integral from the least shift on.
     double potential(double shift) const;
 
-    /// Where it swings with an amplitude: the ends have the same potential. Not a number where they nowhere have.
+    /// Returns the centre of an oscillation with this amplitude, whose ends have the same potential, or NaN if there is
+    /// none.
     double centre(double amplitude) const;
-    /// Where such a centre may still lie: below what is known (-1), above (1), or neither (0), be it found or not.
+    /// Returns the side on which such a centre may still lie: below the known range (-1), above (1), or neither (0),
+    /// whether or not it was found.
     int side_of_centre(double amplitude) const;
-    /// Whether there is none to speak of in a swing around a centre, or around 0 where there is no centre.
+    /// Returns whether the difference is negligible in an oscillation around the centre, or around 0 if there is no
+    /// centre.
     bool vanishes(double amplitude) const;
 
-    /// 1/(pi A) times the integral of half the difference at y + A sin t, times sin t, over a turn; y is where the mean
-    /// over the turn vanishes.
+    /// Returns 1/(pi A) times the integral of half the difference at y + A sin t, times sin t, over a turn, with y so
+    /// that the mean over the turn vanishes.
     double harmonic(double amplitude) const;
 
-    /// The integral of dy / sqrt(2 (potential at the ends - potential)) from side to side, whose ends are two
-    /// amplitudes apart and have the same potential: half a wavelength by sqrt(2e r0). Infinite where the difference
-    /// vanishes; not a number where it does not swing back.
+    /// Returns the integral of dy / sqrt(2 (potential at the ends - potential)) from side to side, whose ends are two
+    /// amplitudes apart and have the same potential. It is half a wavelength over sqrt(2e r0). It is infinite if the
+    /// difference vanishes, and NaN without oscillation.
     double half_swing(double amplitude) const;
 
    private:
@@ -52,7 +55,7 @@ class RadiusDifference {
     std::vector<Sample> sampled(const std::vector<double>& shifts) const;
     void fill(std::vector<Sample>& samples, const Sample& from, const Sample& to) const;
     void take(const std::vector<Sample>& samples);
-    /// Where the function of the centre vanishes; its value is larger for larger centres.
+    /// Returns the centre at which the function vanishes; its value increases with the centre.
     double centre(double amplitude, const std::function<double(double)>& function) const;
     double unevenness(double amplitude, double centre) const;
     double moment(double amplitude, double centre, bool weighted) const;

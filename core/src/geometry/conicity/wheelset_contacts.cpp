@@ -82,12 +82,12 @@ WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, Whee
     const auto left = [&](double turned) { return gap_of(wheelset.left, shift, turned, -1); };
     double turned = 0;
     if (roll == WheelsetRoll::demanded) {
-        // A roll to the right lowers the right wheel, and the gap on the left widens. Both wheels have one axle:
+        // A roll to the right lowers the right wheel, and the gap on the left widens. Both wheels share one axle, so
         // heights are those of its middle.
         const double larger = wheelset.left.nominal_radius - wheelset.right.nominal_radius;
         const auto imbalance = [&](double angle) { return left(angle).gap - right(angle).gap - larger; };
         double low = 0, high = 0, at_low = imbalance(0), at_high = at_low;
-        const double usual = std::abs(at_low) / wheelset.right.wheel_origin;  // about twice what is needed
+        const double usual = std::abs(at_low) / wheelset.right.wheel_origin;  // about twice the required range
         for (double reach = std::max(1e-7, usual); at_low > 0 || at_high < 0; reach *= 2) {
             if (!(reach <= largest_roll))
                 throw InvalidArgument(

@@ -8,12 +8,12 @@
 namespace contactd::geometry {
 namespace {
 
-/// The multiple of a step from `from` on that is nearest.
+/// Returns the nearest multiple of a step, counted from `from`.
 double nearest(double from, double to, double step) {
     return from + step * std::round((to - from) / step);
 }
 
-/// Nodes as far apart as elements, along x and along the profile, in the coordinates of the contact.
+/// Returns nodes at distances of the elements, along x and along the profile, in the coordinates of the contact.
 NodeMesh round_mesh(const WheelSurface& wheel, const ContactReference& reference, const PlanePoints& points,
                     const ElementMiddle& counted_from) {
     constexpr int spare = 8;
@@ -41,10 +41,10 @@ NodeMesh round_mesh(const WheelSurface& wheel, const ContactReference& reference
     return {static_cast<std::size_t>(2 * columns + 1), std::move(nodes), NodeMesh::Between::straight};
 }
 
-/// Nodes of an out-of-round wheel: at points of the slices that correspond, and at angles that are about an element
-/// apart, from two elements before those that are needed to two behind them.
+/// Returns nodes of an out-of-round wheel at corresponding points of the slices. Their angles are about an element
+/// apart, from two elements before the needed ones to two behind them.
 NodeMesh sliced_mesh(const WheelSurface& wheel, const MeshedPlace& found) {
-    constexpr int spare = 12;  // more nodes on both sides, for elements that are not needed
+    constexpr int spare = 12;  // additional nodes on both sides, for elements that are not needed
     const ContactReference& reference = found.place.reference;
     const Grid& needed = found.needed;
     const Frame contact = contact_frame(reference);

@@ -13,12 +13,12 @@ namespace {
 constexpr double slack = 1e-9;
 constexpr int most_nodes = 4'000'000;
 
-/// Whether a share lies before its side, on it or behind it: -1, 0 or 1.
+/// Returns whether a fraction is before its side, on it or behind it: -1, 0 or 1.
 int beside(double share) {
     return share < -slack ? -1 : share > 1 + slack ? 1 : 0;
 }
 
-/// Goes to the cell beside; false at the border.
+/// Moves to the adjacent cell; returns false at the border.
 bool go(std::size_t& cell, int step, std::size_t nodes) {
     if ((step < 0 && cell == 0) || (step > 0 && cell + 2 >= nodes)) return false;
     cell += static_cast<std::size_t>(step);
@@ -37,7 +37,8 @@ std::size_t lines_within_bound(double columns, std::size_t rows) {
 NodeMesh::NodeMesh(std::size_t columns, std::vector<Vector3> nodes, Between between)
     : columns_(columns), rows_(nodes.size() / columns), nodes_(std::move(nodes)), between_(between) {}
 
-// By halves along the last row's column and row: nodes are far from even, and a walk from cell to cell long.
+// Searches by bisection along the last row's column and row, because nodes are unevenly distributed and a walk from
+// cell to cell is long.
 void NodeMesh::start_at(double x, double y) {
     const auto cell = [](std::size_t count, const auto& is_before) {
         std::size_t low = 0, high = count - 1;
@@ -70,7 +71,7 @@ double NodeMesh::height(double x, double y) {
     return std::isfinite(at.u + at.v) ? value(at) : no_height;
 }
 
-// Newton's method: the corners make x and y bilinear.
+// Solves by Newton's method: x and y are bilinear between the corners.
 NodeMesh::Shares NodeMesh::inside_cell(double x, double y) const {
     const Vector3 &a = node(column_, row_), &b = node(column_ + 1, row_), &c = node(column_, row_ + 1),
                   &d = node(column_ + 1, row_ + 1);

@@ -1,4 +1,4 @@
-// A surface that is known at nodes only.
+// Represents a surface that is known only at nodes.
 #pragma once
 
 #include <array>
@@ -11,26 +11,26 @@
 
 namespace contactd::geometry {
 
-/// Returns the number of lines across a mesh. Throws InvalidArgument ("dx") where such a mesh has more than four
-/// million nodes (96 MB), of which none must be made before.
+/// Returns the number of lines across a mesh. Throws InvalidArgument ("dx") before nodes are created if the mesh would
+/// have more than four million (96 MB).
 std::size_t lines_within_bound(double columns, std::size_t rows);
 
-/// Nodes in columns and rows, seen along z: x of each row ascends with the columns, and y of each column with the rows.
-/// A point lies in a cell at shares u and v of its sides, by which the cell's corners make x and y of it.
+/// Holds nodes in columns and rows, seen along z: x of each row ascends with the columns, and y of each column with the
+/// rows. A point lies in a cell at fractions u and v of its sides, from which the cell's corners determine x and y.
 class NodeMesh {
    public:
-    /// Between nodes z is bilinear in u and v; or it is a cubic in both, with the slopes at a node that its neighbours
-    /// have, and at a border those of the last side.
+    /// Between nodes, z is bilinear or cubic in u and v. The cubic has slopes at a node from its neighbours, and at a
+    /// border those of the last side.
     enum class Between { straight, cubic };
 
-    /// Takes two columns and two rows at least; nodes row by row.
+    /// Takes at least two columns and two rows; nodes are in the order of rows.
     NodeMesh(std::size_t columns, std::vector<Vector3> nodes, Between between);
 
     std::size_t columns() const { return columns_; }
     std::size_t rows() const { return rows_; }
     const Vector3& node(std::size_t column, std::size_t row) const { return nodes_[row * columns_ + column]; }
 
-    /// Returns z at a point; no_height beside the mesh. The search begins in the cell that was found last.
+    /// Returns z at a point, or no_height beside the mesh. The search begins in the last cell found.
     double height(double x, double y);
 
    private:
@@ -47,7 +47,7 @@ class NodeMesh {
     std::size_t columns_, rows_;
     std::vector<Vector3> nodes_;
     Between between_;
-    std::size_t column_ = 0, row_ = 0;  // of the cell found last
+    std::size_t column_ = 0, row_ = 0;  // last cell found
 };
 
 }  // namespace contactd::geometry

@@ -11,7 +11,7 @@
 namespace contactd::geometry {
 namespace {
 
-/// A profile of the rail, in the coordinates of the contact.
+/// Represents a profile of the rail in the coordinates of the contact.
 class Section {
    public:
     Section(const RailSurface& rail, ProfileCurve profile, const ContactReference& reference)
@@ -48,7 +48,7 @@ class Section {
     Span span_;
 };
 
-/// Columns of a rail that goes from slice to slice.
+/// Computes columns of a rail from slice to slice.
 class RailFromSlices {
    public:
     RailFromSlices(const RailSurface& rail, const ContactReference& reference, const PlanePoints& points)
@@ -83,7 +83,8 @@ class RailFromSlices {
         for (std::size_t iy = 0; iy < column.size(); ++iy)
             heights_[iy * static_cast<std::size_t>(points_.nx()) + static_cast<std::size_t>(ix)] = column[iy];
     }
-    /// Profiles take long to make, and between slices a few tell all; false where they do not.
+    /// Computes columns from a few of them, because profiles are expensive. Returns false if these are not sufficient
+    /// between slices.
     bool by_nodes(int first, int count) {
         const RowNodes nodes(x(first), points_.columns.dx, count);
         std::vector<std::vector<double>> columns;

@@ -7,7 +7,7 @@
 namespace contactd::geometry {
 namespace {
 
-/// By the heights on both sides, or on that which has one.
+/// Returns the slope from the heights on both sides, or on the one that exists.
 double slope_between(const std::vector<double>& heights, std::size_t row, int ix, const Grid& grid) {
     const auto height = [&](int column) {
         return column < 0 || column >= grid.nx ? no_height : heights[row + static_cast<std::size_t>(column)];
@@ -19,7 +19,7 @@ double slope_between(const std::vector<double>& heights, std::size_t row, int ix
 
 }  // namespace
 
-// The plane leans across the track only: the rail rises over it by the cosine of what it falls by in the track.
+// The plane leans only across the track, so the rail's rise over it is its fall in the track times the cosine.
 SlopesAlong rail_slopes(const RailSurface& rail, const ContactReference& reference) {
     if (!rail.varies()) return {};
     double s = 0.5 * (rail.visible().from + rail.visible().to);
@@ -29,7 +29,7 @@ SlopesAlong rail_slopes(const RailSurface& rail, const ContactReference& referen
 }
 
 void add_slopes_at_elements(SlopesAlong& slopes, const Grid& grid, const std::vector<double>& heights) {
-    if (heights.size() != grid.size()) return;  // one height a row: the rail is the same all along
+    if (heights.size() != grid.size()) return;  // With one height per row, the rail is uniform along x.
     slopes.at_elements.clear();
     for (int iy = 0; iy < grid.ny; ++iy)
         for (int ix = 0; ix < grid.nx; ++ix)

@@ -9,14 +9,14 @@ namespace {
 
 constexpr std::size_t last = RowNodes::count - 1;
 
-/// On [-1, 1], by descending x.
+/// Returns the nodes on [-1, 1], by descending x.
 RowNodes::Values unit_nodes() {
     RowNodes::Values nodes;
     for (std::size_t j = 0; j <= last; ++j) nodes[j] = std::cos(std::numbers::pi * static_cast<double>(j) / last);
     return nodes;
 }
 
-/// The size of the part of degree k in the polynomial through the values.
+/// Returns the size of the term of degree k in the polynomial through the values.
 double part_of(const RowNodes::Values& values, std::size_t k) {
     double sum = 0;
     for (std::size_t j = 0; j <= last; ++j) {
@@ -28,7 +28,7 @@ double part_of(const RowNodes::Values& values, std::size_t k) {
 
 }  // namespace
 
-// The barycentric formula: weights 1, -1, 1, ... over distances, halved at both ends.
+// The barycentric formula has weights 1, -1, 1, ... over distances, halved at both ends.
 RowNodes::RowNodes(double x0, double dx, int n) {
     const Values nodes = unit_nodes();
     const double half = 0.5 * (n - 1) * dx;

@@ -10,8 +10,8 @@
 namespace contactd::geometry {
 namespace {
 
-// The track's x has no part along the z axis of a wheelset that yaws first and rolls then. So the x at which the
-// wheel's surface is above a point of the plane follows from s alone, and s is the root of one function.
+// The track's x has no component along the z axis of a wheelset that yaws first and rolls then. Therefore the x at
+// which the wheel's surface is above a point of the plane follows from s alone, and s is the root of one function.
 class WheelAbovePlane {
    public:
     WheelAbovePlane(const WheelSurface& wheel, const ContactReference& reference) : wheel_(wheel) {
@@ -28,7 +28,8 @@ class WheelAbovePlane {
         start_ = std::clamp(s, span_.from, span_.to);
     }
 
-    /// At the row's elements, from their nodes where the surface is smooth there; false, and nothing, elsewhere.
+    /// Adds the heights at the row's elements from their nodes if the surface is smooth there. Otherwise adds nothing
+    /// and returns false.
     bool add_row_by_nodes(double y, const RowNodes& nodes, double settled, std::vector<double>& heights) {
         const bool goes_on = !lines_.empty();
         if (!goes_on) lines_.assign(RowNodes::count, Line(start_));
@@ -46,7 +47,7 @@ class WheelAbovePlane {
         return true;
     }
 
-    /// At the row's elements, from x0 on.
+    /// Adds the heights at the row's elements, from x0 on.
     void add_row(double y, double x0, double dx, int count, std::vector<double>& heights) {
         Line line(start_);
         for (int i = 0; i < count; ++i) {
@@ -64,7 +65,7 @@ class WheelAbovePlane {
    private:
     struct At {
         double y, y_slope;            // along the plane
-        double height, height_slope;  // by s, x of the track held
+        double height, height_slope;  // by s, at constant x of the track
     };
 
     At at(double x, double s) const {
@@ -79,7 +80,7 @@ class WheelAbovePlane {
         return {dot(across_, from_centre), dot(across_, slope), dot(normal_, from_centre), dot(normal_, slope)};
     }
 
-    // Where the guess is good one look is enough: what is left out is of second order.
+    // If the guess is good, one evaluation is sufficient: the error is of second order.
     double height(double x, double y, double& s) const {
         constexpr double near = 1e-5;  // mm
         At here = at(x, s);
@@ -95,7 +96,7 @@ class WheelAbovePlane {
         return here.height + step * here.height_slope;
     }
 
-    /// The profile's s where a node lies, from row to row.
+    /// Holds the profile's s of a node, from row to row.
     class Line {
        public:
         explicit Line(double start) : s_(start) {}

@@ -10,11 +10,12 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double least_velocity = 1e-30;  // mm/s: as contact problems have it
-constexpr double shift_velocity = 1;      // mm/s, over which the velocities of a shift are given
-constexpr double largest_creepage = 1e9;  // (1, rad/mm): what moves faster than that beside its rolling does not roll
+constexpr double least_velocity = 1e-30;  // mm/s: as in contact problems
+constexpr double shift_velocity = 1;      // mm/s: velocity to which those of a shift refer
+constexpr double largest_creepage = 1e9;  // (1, rad/mm): with faster relative motion, the wheel does not roll
 
-/// Speeds along x of the wheel over the rail and of its rim about its axle, whose mean is the rolling velocity.
+/// Holds the speeds along x of the wheel over the rail and of its rim about its axle, whose mean is the rolling
+/// velocity.
 struct RollingSpeeds {
     double over_ground, of_rim;
 
@@ -70,7 +71,7 @@ double rail_speed(const WheelSurface& wheel, const RailSurface& rail, const Whee
 
 namespace {
 
-/// How far the surface between both leans from the plane at row iy, from its neighbours.
+/// Returns the lean of the surface between both from the plane at row iy, from its neighbours.
 double lean(const std::vector<double>& heights, std::size_t iy, double dy) {
     const std::size_t before = iy > 0 ? iy - 1 : iy, behind = std::min(iy + 1, heights.size() - 1);
     const double rise = heights[behind] - heights[before];

@@ -1,4 +1,4 @@
-// How points of wheel and rail move, in track coordinates.
+// Describes the motion of points of wheel and rail in track coordinates.
 #pragma once
 
 #include "contactd/wheel_rail_state.hpp"
@@ -7,13 +7,13 @@
 
 namespace contactd::geometry {
 
-/// Velocity of a point of a rigid body (mm/s), and the body's rotation (rad/s).
+/// Holds the velocity of a point of a rigid body (mm/s), and the body's rotation (rad/s).
 struct SurfaceMotion {
     Vector3 velocity, angular_velocity;
 };
 
-/// Returns the point of the axle that a wheelset turns about beside a wheel: the axle goes along with a wheel that is
-/// displaced along the track, as it does where the whole wheelset is.
+/// Returns the point of the axle that a wheelset rotates about beside a wheel. The axle follows a wheel that is
+/// displaced along the track, as if the whole wheelset were displaced.
 inline Vector3 centre_of_rotation(const WheelSurface& wheel, const WheelRailState& state) {
     return wheel.wheelset().origin + state.wheel.x * wheel.wheelset().axes.x;
 }

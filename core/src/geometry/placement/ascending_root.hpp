@@ -1,18 +1,18 @@
-// Where an ascending function of a curve's parameter has a value.
+// Finds the parameter of a curve at which an ascending function has a value.
 #pragma once
 
 #include <cmath>
 
 namespace contactd::geometry {
 
-/// A value and its derivative.
+/// Holds a value and its derivative.
 struct Sloped {
     double value = 0, slope = 0;
 };
 
-/// Newton's method from `s` between bounds that close in; sets `s` and returns true where the value is met to 1e-10 mm,
-/// or passed in a jump. `function` returns a Sloped, which ascends from `low` to `high`. Where the last step would be
-/// `near` or less (of s), that step is left to the caller.
+/// Searches by Newton's method from `s` between shrinking bounds. Sets `s` and returns true if the function meets the
+/// value to 1e-10 mm, or jumps across it. `function` returns a Sloped, which ascends from `low` to `high`. If the last
+/// step would be `near` or less (of s), it is left to the caller.
 template <class Function>
 bool find_ascending(const Function& function, double target, double low, double high, double& s, double near = 0) {
     constexpr double tolerance = 1e-10;
@@ -20,7 +20,7 @@ bool find_ascending(const Function& function, double target, double low, double 
     if (!(high > low)) return false;
     double at = s > low ? (s < high ? s : high) : low;
     const double first = low, last = high;
-    bool first_is_open = true, last_is_open = true;  // nobody has looked there yet
+    bool first_is_open = true, last_is_open = true;  // Neither end was evaluated yet.
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
         const Sloped here = function(at);
         const double excess = here.value - target;
@@ -34,7 +34,7 @@ bool find_ascending(const Function& function, double target, double low, double 
         if (at <= first) first_is_open = false;
         double next = here.slope > 0 ? at - excess / here.slope : 0.5 * (low + high);
         if (next >= last && last_is_open) {
-            next = last;  // where it ends tells whether the value is there at all
+            next = last;  // The value at the end determines whether there is a solution.
         } else if (next <= first && first_is_open) {
             next = first;
         } else if (!(next > low && next < high)) {

@@ -11,15 +11,15 @@
 namespace contactd::geometry {
 namespace {
 
-/// Where a quadratic a + b t + c t^2 is zero.
+/// Returns the zeros of a quadratic a + b t + c t^2.
 std::vector<double> zeros(double a, double b, double c) {
     const double square = b * b - 4 * a * c;
     if (!(square >= 0)) return {};
-    const double q = -(b + std::copysign(std::sqrt(square), b)) / 2;  // without cancellation
-    return {q / c, a / q};                                            // not finite where there is but one
+    const double q = -(b + std::copysign(std::sqrt(square), b)) / 2;  // avoids cancellation
+    return {q / c, a / q};                                            // not finite if there is only one
 }
 
-/// A curve's coordinate along an axis, as it is after the curve has been turned.
+/// Represents a curve's coordinate along an axis after the curve was rotated.
 class Coordinate {
    public:
     Coordinate(const ProfileCurve& curve, ProfilePoint axis) : curve_(curve), axis_(axis) {}
@@ -27,7 +27,7 @@ class Coordinate {
     double along(const ProfilePoint& vector) const { return axis_.y * vector.y + axis_.z * vector.z; }
     double at(double s) const { return along(curve_.at(s)); }
 
-    /// Places between which it ascends or descends throughout, both ends and the knots among them.
+    /// Returns places between which it ascends or descends throughout, including both ends and the knots.
     std::vector<double> stretches(double from, double to) const {
         std::vector<double> places{from, to};
         const std::vector<double>& knots = curve_.knots();
@@ -42,7 +42,7 @@ class Coordinate {
     }
 
    private:
-    /// Where it has extrema between two knots, over which it is a cubic.
+    /// Returns the extrema between two knots, over which it is a cubic.
     std::vector<double> extrema(double from, double to) const {
         const double half = 0.5 * (to - from);
         const auto begin = curve_.place(from);

@@ -1,4 +1,4 @@
-// Where a rail is highest, and where its gauge is measured, on the curve that is its surface.
+// Finds the top of a rail, and the point where its gauge is measured, on the curve of its surface.
 #pragma once
 
 #include <optional>
@@ -7,16 +7,18 @@
 
 namespace contactd::geometry {
 
-/// The place where the curve, turned from z to y by `cant`, is highest (least z); the first one of a plateau.
+/// Returns the place where the curve, rotated from z to y by `cant`, is highest (least z), which is the first one of a
+/// plateau.
 double s_of_top(const ProfileCurve& profile, double cant);
 
-/// The first place from s on towards the curve's beginning that lies lower than z, once turned; absent where none does.
+/// Returns the first s towards the curve's beginning at which the rotated curve is lower than z; absent if there is
+/// none.
 std::optional<double> s_of_depth(const ProfileCurve& profile, double cant, double s, double z);
 
-/// The least y between two places, once turned.
+/// Returns the least y between two places of the rotated curve.
 double least_y(const ProfileCurve& profile, double cant, double from, double to);
 
-/// A point as the cant turns it.
+/// Returns a point rotated by the cant.
 ProfilePoint canted(const ProfilePoint& point, double cant);
 
 }  // namespace contactd::geometry

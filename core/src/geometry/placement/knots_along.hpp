@@ -1,4 +1,4 @@
-// Places of slices, along the track or round a wheel.
+// Describes positions of slices along the track or round a wheel.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace contactd::geometry {
 
-/// Knots that ascend, two at least. With a period the first one comes again after it. The piece i lies between the
-/// knots i and i + 1. With a period knots and pieces have any index, else those that exist.
+/// Holds at least two ascending knots. With a period the first one follows the last one. The piece i lies between the
+/// knots i and i + 1. With a period, knots and pieces may have any index, otherwise only existing ones.
 class KnotsAlong {
    public:
     explicit KnotsAlong(std::vector<double> knots, double period = 0) : knots_(std::move(knots)), period_(period) {}
@@ -25,8 +25,8 @@ class KnotsAlong {
     }
     std::size_t next(std::size_t knot) const { return (knot + 1) % knots_.size(); }
 
-    /// Returns how much the knots on both sides tell of what lies within a piece: 1 where it is twice as wide as the
-    /// wider one beside it at most, 0 where it is four times as wide.
+    /// Returns how well the knots on both sides describe the values within a piece: 1 if it is at most twice as wide as
+    /// the wider neighbour, 0 if it is four times as wide.
     double support(std::ptrdiff_t piece) const;
 
    private:

@@ -14,10 +14,10 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
-constexpr double spacing = 0.5;  // mm: of stations along the profile
+constexpr double spacing = 0.5;  // mm: distance of stations along the profile
 constexpr int most_stations = 1'000'000;
-constexpr double ends_differ = 1;  // mm: at most, of a slice and the first one
-constexpr double largest = 20;     // mm: out of round by more no wheel is
+constexpr double ends_differ = 1;  // mm: largest difference of the ends of a slice and the first one
+constexpr double largest = 20;     // mm: largest plausible deviation
 
 }  // namespace
 
@@ -71,7 +71,7 @@ std::vector<double> OutOfRound::radii_beside(const ProfileCurve& slice, const Pr
     for (const double s : stations_) {
         const ProfilePoint here = first.at(s);
         const auto [at, slope, curving] = slice.place(slice.s_at_y(here.y));
-        // Beyond its last points a slice goes on as its tangent.
+        // Beyond its last points a slice continues along its tangent.
         const double z = at.z + (slope.y != 0 ? slope.z / slope.y * (here.y - at.y) : 0);
         radii.push_back(&slice == &first ? 0 : z - here.z);
         if (!(std::abs(radii.back()) <= largest))

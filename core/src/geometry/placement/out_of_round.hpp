@@ -1,4 +1,4 @@
-// The deviation of an out-of-round wheel from the surface of revolution of its profile.
+// Describes the deviation of an out-of-round wheel from the surface of revolution of its profile.
 #pragma once
 
 #include <cstddef>
@@ -10,36 +10,38 @@
 
 namespace contactd::geometry {
 
-/// Radii by the angle about the axle and along the profile of the first slice, beside the radii of that profile.
+/// Interpolates radii by the angle about the axle and along the profile of the first slice, relative to the radii of
+/// that profile.
 ///
-/// Round the wheel they go through the slices by the quintic splines of quintic_spline.hpp, whose curvature is
-/// continuous: they depend on six slices only, do not swing beyond a flat's edges, and slices that are equal are equal
-/// all between, also over the long way round from the last one to the first; but for two that lie on both sides of the
-/// lowest or highest place of smooth slices, as close to each other as those beside them. Other splines are those of
-/// spline_along.hpp. Along the profile they are cubic splines through points 0.5 mm apart.
+/// Round the wheel, radii pass through the slices by the quintic splines of quintic_spline.hpp, whose curvature is
+/// continuous. They depend on only six slices and do not overshoot a flat's edges. Between equal slices they are
+/// constant, also over the long way round from the last to the first. The exception are two slices on both sides of the
+/// lowest or highest point of smooth slices, as close to each other as their neighbours. spline_along.hpp describes
+/// other splines. Along the profile, they are cubic splines through points 0.5 mm apart.
 class OutOfRound {
    public:
     struct Place {
-        double radius = 0;              ///< what it is larger by (mm)
+        double radius = 0;              ///< additional radius (mm)
         double by_angle = 0, by_s = 0;  ///< its derivatives (mm/rad, 1)
     };
 
     /// Angles ascend within a turn. Throws InvalidArgument ("wheel_slices[i].profile") for slices that do not end where
-    /// the first one does, or are out of round by more than a wheel can be.
+    /// the first one does, or with implausibly large deviations.
     OutOfRound(std::vector<double> angles, const std::vector<ProfileCurve>& slices,
                SliceSpline spline = SliceSpline::shape_preserving);
 
     Place at(double angle, double s) const;
-    /// Points that correspond: at equal shares of each slice's length, half a millimetre apart at most.
+    /// Returns the number of corresponding points, which are at equal fractions of each slice's length, at most half a
+    /// millimetre apart.
     std::size_t nodes() const { return nodes_.size(); }
-    /// Returns such a point at an angle, by the same curves round the wheel; z is over the nominal radius, as slices
-    /// have it.
+    /// Returns such a point at an angle, by the same curves round the wheel; z is relative to the nominal radius, as in
+    /// slices.
     ProfilePoint node(double angle, std::size_t index) const;
-    /// Largest |by_angle| at the slices and between two (mm/rad).
+    /// Returns the largest |by_angle| at the slices and between two (mm/rad).
     double steepest() const { return steepest_; }
 
    private:
-    /// Values at the stations along the profile, and their second derivatives.
+    /// Holds values at the stations along the profile, and their second derivatives.
     struct Line {
         std::vector<double> values, curving;
     };
@@ -47,12 +49,12 @@ class OutOfRound {
         double value, slope;
     };
 
-    /// Radii of a slice, and how they go on from there round the wheel.
+    /// Holds radii of a slice, and their derivatives round the wheel.
     struct Slice {
         Line radius, slope, curving;
     };
 
-    /// An angle between two slices, as a share of the way from one to the next.
+    /// Describes an angle between two slices by its fraction of the way from one to the next.
     struct Between {
         std::size_t slice, next;
         double width, share;

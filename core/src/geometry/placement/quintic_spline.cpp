@@ -8,8 +8,8 @@
 namespace contactd::geometry {
 namespace {
 
-/// Weights of the first and the second derivative at `x` of the polynomial through points (Fornberg, Math. Comp. 51,
-/// 1988).
+/// Returns weights of the first and the second derivative at `x` of the polynomial through points (Fornberg, Math.
+/// Comp. 51, 1988).
 std::pair<std::vector<double>, std::vector<double>> derivative_weights(double x, const std::vector<double>& points) {
     const std::size_t n = points.size();
     std::array<std::vector<double>, 3> weights;

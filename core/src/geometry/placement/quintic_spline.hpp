@@ -1,4 +1,4 @@
-// Curves from slice to slice whose curvature is continuous and that do not swing beyond the slices.
+// Computes curves from slice to slice with continuous curvature and without overshoot.
 #pragma once
 
 #include <array>
@@ -11,29 +11,29 @@
 
 namespace contactd::geometry {
 
-/// First and second derivative at a knot.
+/// Holds the first and second derivative at a knot.
 struct KnotDerivatives {
     double slope = 0, curving = 0;
 };
 
-/// The derivatives at knots that make quintic Hermite splines through slices keep their shape.
+/// Computes derivatives at knots with which quintic Hermite splines through slices keep their shape.
 ///
-/// Where slices vary smoothly the derivatives are those of the polynomials through five of them, so that curvature errs
-/// by the third power of the spacing. They are limited in three steps:
-/// - slices that are equal to 1e-9 mm are equal all between (EqualValues): at both, the derivatives are zero;
-/// - slopes are three times the lesser chord at most (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980), but where
-///   the second differences on both sides agree that slices pass an extremum, 1.5 times the parabolas' slope (Huynh,
-///   SIAM J. Numer. Anal. 30, 1993), unless the piece between is much wider than those beside it; second derivatives
-///   have the sign of the second difference;
-/// - where a piece is to ascend or descend throughout, the ordinates of its Bezier polygon must, which is sufficient:
-///   both derivatives of a knot are scaled until they do.
-/// Limits scale derivatives, by shares that all points of a slice have in common. So what lies between slices is a sum
-/// of slices with weights: slices that are moved, tilted or stretched copies of one profile have such a copy all
-/// between, whatever the rounding of their points. A single point that ascends or descends throughout is joined by a
-/// spline that does, too.
+/// If slices vary smoothly, the derivatives are those of the polynomials through five of them, so that the error of
+/// curvature is of third order in the spacing. They are limited in three steps:
+/// - Between slices that are equal to 1e-9 mm, values are constant (EqualValues): at both, the derivatives are zero.
+/// - Slopes are at most three times the lesser chord (Fritsch and Carlson, SIAM J. Numer. Anal. 17, 1980). If the
+///   second differences on both sides agree that slices pass an extremum, the limit is 1.5 times the parabolas' slope
+///   (Huynh, SIAM J. Numer. Anal. 30, 1993), unless the piece between is much wider than its neighbours. Second
+///   derivatives have the sign of the second difference.
+/// - If a piece must ascend or descend throughout, the ordinates of its Bezier polygon must, which is sufficient: both
+///   derivatives of a knot are scaled until they do.
+/// Limits scale derivatives by factors that all points of a slice share. So the curve between slices is a weighted sum
+/// of slices: between slices that are moved, tilted or stretched copies of one profile, all profiles are such copies,
+/// whatever the rounding of their points. The spline of a single point that ascends or descends throughout does so as
+/// well.
 class QuinticSpline {
    public:
-    /// Knots ascend; there are two at least. With a period the first one comes again after it.
+    /// There are at least two ascending knots. With a period the first one follows the last one.
     explicit QuinticSpline(std::vector<double> knots, double period = 0, EqualValues equal = EqualValues::stay);
 
     std::vector<DerivativeShares> shares(std::span<const SlicePoints> slices) const;
@@ -45,7 +45,7 @@ class QuinticSpline {
 
     const KnotsAlong& along() const { return knots_; }
     const std::vector<double>& knots() const { return knots_.all(); }
-    /// From a knot to the next one; of the last one with a period only.
+    /// Returns the distance from a knot to the next one; for the last one only with a period.
     double width(std::size_t knot) const { return knots_.width(static_cast<std::ptrdiff_t>(knot)); }
 
    private:
@@ -56,10 +56,10 @@ class QuinticSpline {
     std::vector<DerivativeStencil> stencils_;
 };
 
-/// Weights of the values and derivatives at both ends of a piece, at a share t of its width h.
+/// Holds weights of the values and derivatives at both ends of a piece, at a fraction t of its width h.
 struct QuinticWeights {
     double to, leaving, arriving, bending,
-        unbending;  ///< value at the end less that at the beginning; slopes; curvings
+        unbending;  ///< value at the end minus that at the beginning; slopes; second derivatives
 
     static QuinticWeights of_value(double t, double h);
     static QuinticWeights of_slope(double t, double h);
@@ -70,7 +70,7 @@ struct QuinticWeights {
     }
 };
 
-/// Ordinates of the Bezier polygon of a piece, less the value at its beginning.
+/// Returns ordinates of the Bezier polygon of a piece, minus the value at its beginning.
 std::array<double, 6> bezier_ordinates(double h, double rise, const KnotDerivatives& from, const KnotDerivatives& to);
 
 }  // namespace contactd::geometry

@@ -17,8 +17,8 @@ ProfilePoint turned(const ProfilePoint& point, double cosine, double sine) {
     return {cosine * point.y - sine * point.z, sine * point.y + cosine * point.z};
 }
 
-/// A profile whose other side alone reaches the height of the gauge, and not by a cut a little above it, has its gauge
-/// side there.
+/// Refuses a profile whose field side extends down to the gauge height while its gauge side ends far above it, because
+/// its sides are probably exchanged.
 void check_gauge_side(const ProfileCurve& profile, double at_top, const Track& track) {
     const double top = canted(profile.at(at_top), track.cant).z;
     double gauge_side = 0, field_side = 0;
@@ -98,7 +98,7 @@ bool RailSurface::find_y(double y, double& s) const {
         y, visible_.from, visible_.to, s);
 }
 
-// Points of a roller that leans move across as they turn, by little: what lies at y at x was a little beside it.
+// Points of a leaning roller move slightly across as they rotate, so the point at y at x was slightly beside it.
 double RailSurface::height(double x, double y, double s) const {
     find_y(y, s);
     if (!leans()) return z_at(x, y, place(s).at.z);
@@ -107,12 +107,12 @@ double RailSurface::height(double x, double y, double s) const {
     return turned_to(x, place(s)).at.z;
 }
 
-// Between columns a cubic through the four around: slices lie farther apart. Where one of the outer columns has no rail
-// there, because a part of it begins or ends, a straight line stands for it.
+// Between columns the surface is a cubic through the four around, because slices are farther apart. If one of the outer
+// columns has no rail there, because a part of it begins or ends, it is extrapolated linearly.
 double RailSurface::z_at(double x, double y, double z) const {
     if (!slices_) return axle_ ? z + sag(x, {y, z}) : z;
     const double position = x / step_along;
-    const double first = std::floor(position) - 1, t = position - first;  // 1 to 2
+    const double first = std::floor(position) - 1, t = position - first;  // from 1 to 2
     const auto column = [&](int k) { return column_z(static_cast<int>(first) + k, y); };
     const double before = column(1), behind = column(2);
     double left = column(0), right = column(3);
@@ -140,7 +140,7 @@ double RailSurface::slope_along(double x, double y, double z) const {
 double RailSurface::curvature_along(double x, double y, double s) const {
     if (!slices_) return curvature_along();
     const double bulge = height(x + step_along, y, s) + height(x - step_along, y, s) - 2 * height(x, y, s);
-    // Straight where a part of the rail begins or ends within a column.
+    // It is straight if a part of the rail begins or ends within a column.
     return std::isnan(bulge) ? 0 : bulge / (step_along * step_along);
 }
 
@@ -175,7 +175,7 @@ ProfileCurve::Place RailSurface::turned_to(double x, ProfileCurve::Place place) 
     return place;
 }
 
-/// By how much a point that turns about the axle comes nearer to it along x = 0.
+/// Returns by how much a point that rotates about the axle approaches it along x = 0.
 double RailSurface::sag(double x, const ProfilePoint& at) const {
     const double radius = radius_at(at);
     const double square = radius * radius - x * x;

@@ -1,4 +1,4 @@
-// A right rail, or the roller in its place, in track coordinates.
+// Represents a right rail, or the roller in its place, in track coordinates.
 #pragma once
 
 #include <limits>
@@ -15,12 +15,12 @@
 
 namespace contactd::geometry {
 
-/// The profile's origin in the track where the rail does not deviate; the profile leans inwards by track.cant. Throws
-/// InvalidArgument ("track.gauge_height") where only the other side reaches down to it.
+/// Returns the profile's origin in the track without deviations of the rail; the profile leans inwards by track.cant.
+/// Throws InvalidArgument ("track.gauge_height") if only the other side extends down to it.
 ProfilePoint rail_origin(const ProfileCurve& profile, const Track& track);
 
-/// The profile at x = 0, and how the surface goes on from there along the track: straight, around a roller's axle, or
-/// from slice to slice.
+/// Holds the profile at x = 0, and the continuation of the surface along the track: straight, around a roller's axle,
+/// or from slice to slice.
 class RailSurface {
    public:
     /// `origin` is that of rail_origin.
@@ -29,52 +29,53 @@ class RailSurface {
     RailSurface(std::shared_ptr<const SlicedRail> slices, double x, const Track& track, ProfilePoint origin,
                 const RailDeviation& deviation);
 
-    /// The profile at x = 0, placed: the point and its derivatives by s.
+    /// Returns a point of the profile at x = 0 in the track, and its derivatives by s.
     ProfileCurve::Place place(double s) const { return placed(profile_, s); }
-    /// Places a profile of the same rail elsewhere.
+    /// Places a point of another profile of the same rail.
     ProfileCurve::Place placed(const ProfileCurve& profile, double s) const;
-    /// Returns the part of the profile that is seen from above.
+    /// Returns the part of the profile that is visible from above.
     const Span& visible() const { return visible_; }
-    /// Finds the s of the visible part that has this y; `s` is where to start.
+    /// Finds the s of the visible part at this y; `s` is the start.
     bool find_y(double y, double& s) const;
 
-    /// Height of the surface at (x, y); y is that of the visible part, `s` is where to start.
+    /// Returns the height of the surface at (x, y); y is in the visible part, and `s` is the start.
     double height(double x, double y, double s) const;
-    /// Returns the height where the profile has z at x = 0; not a number where there is none.
+    /// Returns the height at x where the profile has z at x = 0, or NaN if there is none.
     double z_at(double x, double y, double z) const;
     double slope_along(double x, double y, double z) const;  ///< its derivative by x
-    bool varies() const { return axle_ || slices_; }         ///< along the track
+    bool varies() const { return axle_ || slices_; }         ///< whether the surface varies along the track
     bool is_sliced() const { return slices_ != nullptr; }
-    /// The profile at x; that of rollers is turned about their axle, by `turned_to`.
+    /// Returns the profile at x; that of rollers is rotated about their axle by `turned_to`.
     ProfileCurve section(double x) const { return slices_ ? slices_->at(x_ + x) : profile_; }
-    /// Returns where the next slice behind x is; infinite where there is none.
+    /// Returns the position of the next slice behind x; infinite if there is none.
     double next_slice(double x) const {
         return slices_ ? slices_->next_slice(x_ + x) - x_ : std::numeric_limits<double>::infinity();
     }
-    /// The slices, and where x = 0 is along them; null where there are none.
+    /// Return the slices, or null without slices, and the position of x = 0 along them.
     const SlicedRail* slices() const { return slices_.get(); }
     double along_slices() const { return x_; }
     /// Places a point of a profile of the same rail.
     ProfilePoint placed(const ProfilePoint& point) const;
-    /// Between columns of slices this far apart, at multiples of it, the surface is cubic along the track (mm).
+    /// Between columns of slices at multiples of this distance (mm), the surface is cubic along the track.
     static constexpr double step_along = 2;
-    /// Returns where a place of the profile comes at x, with its first derivative: on a roller it turns.
+    /// Returns the position of a place of the profile at x, with its first derivative; on a roller it rotates.
     ProfileCurve::Place turned_to(double x, ProfileCurve::Place place) const;
 
-    /// 1/R of a roller along x (1/mm); zero of a rail, sliced or not.
+    /// Returns 1/R of a roller along x (1/mm), which is zero for a rail with or without slices.
     double curvature_along() const { return axle_ ? 1 / *radius_ : 0; }
-    /// Returns the curvature along the track at a point, also of slices; positive where convex. `s` is as for height.
+    /// Returns the curvature along the track at a point, also for slices; positive where convex. `s` is as for height.
     double curvature_along(double x, double y, double s) const;
-    /// Returns 1/r of a roller, r its radius at a place of the profile (1/mm); zero of a rail, sliced or not.
+    /// Returns 1/r of a roller, with r its radius at a place of the profile (1/mm), which is zero for a rail with or
+    /// without slices.
     double curvature_around(const ProfilePoint& at) const { return axle_ ? 1 / radius_at(at) : 0; }
-    /// z of the axle that a roller turns about, which lies along y.
+    /// Returns z of the axle about which a roller rotates, along y.
     std::optional<double> axle() const { return axle_; }
 
     const Frame& frame() const { return frame_; }
     const ProfileCurve& profile() const { return profile_; }
 
    private:
-    /// A profile that was needed, as far as it is seen from above, and where it was looked at last.
+    /// Holds a profile that was used, as far as it is visible from above, and the position of the last search.
     struct Column {
         ProfileCurve profile;
         Span visible;
@@ -96,9 +97,9 @@ class RailSurface {
     double cosine_, sine_;
     Span visible_;
     std::optional<double> radius_, axle_;
-    ProfilePoint inwards_{0, 1};    // of a roller: the direction from its surface to the axle that this lies about,
-    double from_inwards_axle_ = 0;  // and how far the track's origin is from that axle, along it
-    mutable std::map<int, Column> columns_;  // of slices: one surface is one thread's
+    ProfilePoint inwards_{0, 1};    // of a roller: the direction from its surface to the axle of its surface
+    double from_inwards_axle_ = 0;  // and the distance of the track's origin from that axle, along that direction
+    mutable std::map<int, Column> columns_;  // of slices; each surface belongs to one thread
 };
 
 }  // namespace contactd::geometry

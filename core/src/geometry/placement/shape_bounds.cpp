@@ -6,8 +6,8 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double around_top = 1.5;  // slopes, over that of parabolas, beside an extremum
-constexpr double most_bent = 2;     // second derivatives, over the largest second difference around
+constexpr double around_top = 1.5;  // slopes over those of parabolas, beside an extremum
+constexpr double most_bent = 2;     // second derivatives over the largest second difference around
 
 double minmod(double a, double b) {
     return a * b > 0 ? std::copysign(std::min(std::abs(a), std::abs(b)), a) : 0;
@@ -39,12 +39,12 @@ double ShapeBounds::largest_slope(std::size_t knot) const {
     const double lesser = minmod(before, behind);
     const double left = first ? behind : before + minmod(bend(i - 1), bend(i)) * knots_.width(i - 1);
     const double right = last ? before : behind - minmod(bend(i), bend(i + 1)) * knots_.width(i);
-    // The parabola of a narrow piece is no evidence of an extremum far away, within a wide piece.
+    // The parabola of a narrow piece does not indicate an extremum far away, within a wide piece.
     const double support = std::min(first ? 1 : knots_.support(i - 1), last ? 1 : knots_.support(i));
     const double top = support * minmod(left, right);
     const double limit = std::copysign(std::max(steepest_slope * std::abs(lesser), around_top * std::abs(top)),
                                        lesser != 0 ? lesser : top);
-    // Beside an extremum both parabolas may lead to slopes of either sign, the true one is between.
+    // Beside an extremum, both parabolas may have slopes of either sign; the true one is between.
     const double weight = lesser == 0 ? support * smoothness(i) : 0;
     return std::max({0.0, limit, weight * around_top * std::max(left, right)});
 }

@@ -18,8 +18,8 @@ double length(const SlicePoints& a) {
     return std::sqrt(dot(a, a));
 }
 
-/// Slices are points of a space with a dimension for each of their coordinates. What a curve may do there is decided
-/// along the direction of each derivative, and of each chord.
+/// Treats slices as points of a space with a dimension for each of their coordinates. The limits of a curve there are
+/// determined along the direction of each derivative, and of each chord.
 class SliceShape {
    public:
     SliceShape(const KnotsAlong& knots, std::span<const DerivativeStencil> stencils,
@@ -65,7 +65,7 @@ class SliceShape {
         return sum;
     }
 
-    /// The bounds of the slices around a knot, as they lie along a direction.
+    /// Returns the bounds of the slices around a knot, projected on a direction.
     ShapeBounds seen_along(const SlicePoints& direction, std::size_t knot) {
         constexpr std::ptrdiff_t reach = 3;
         const auto i = static_cast<std::ptrdiff_t>(knot), last = static_cast<std::ptrdiff_t>(slices_.size()) - 1;
@@ -115,7 +115,7 @@ class SliceShape {
         return {size > same_value ? size : 0, knots_.width(static_cast<std::ptrdiff_t>(i)), at(i), at(knots_.next(i))};
     }
 
-    /// Second derivatives as far as the pieces beside the knot may bend and still ascend.
+    /// Limits second derivatives so that the adjacent pieces still ascend.
     void bend_less(std::size_t knot) {
         double& share = shares_[knot].curving;
         if (exists(knot)) {
@@ -133,8 +133,8 @@ class SliceShape {
         }
     }
 
-    /// A chord of slices that are almost equal has any direction: where both slopes are those of its piece, the piece
-    /// does not bend by more than the ordinates of a polygon allow that ascends, in whatever direction.
+    /// A chord of slices that are almost equal has an arbitrary direction. If both slopes are those of its piece, the
+    /// piece does not bend by more than the ordinates of an ascending polygon allow, in any direction.
     void bend_as_chord(std::size_t knot, std::size_t index, const Piece& at) {
         const auto slope = [this](std::size_t end) { return shares_[end].slope * length(slopes_[end]); };
         if (!at.admits(slope(index)) || !at.admits(slope(knots_.next(index)))) return;
@@ -143,7 +143,7 @@ class SliceShape {
         if (size > most) shares_[knot].curving *= most / size;
     }
 
-    /// Returns the share of the derivatives at both ends of a piece with which its polygon does not turn back in the
+    /// Returns the factor on the derivatives at both ends of a piece with which its polygon does not reverse in the
     /// middle.
     double of_polygon(std::size_t i) const {
         if (!exists(i)) return 1;
@@ -160,7 +160,7 @@ class SliceShape {
     std::span<const SlicePoints> slices_;
     std::vector<SlicePoints> slopes_, curvings_;
     std::vector<char> flat_;
-    std::vector<double> along_;  // of slices around the knot that is looked at
+    std::vector<double> along_;  // of slices around the present knot
     std::vector<DerivativeShares> shares_;
 };
 

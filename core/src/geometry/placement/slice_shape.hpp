@@ -1,4 +1,5 @@
-// Shares of the derivatives of smooth polynomials that keep the shape of slices: the same for all points of a slice.
+// Computes factors on the derivatives of smooth polynomials that keep the shape of slices. They are the same for all
+// points of a slice.
 #pragma once
 
 #include <span>
@@ -8,25 +9,25 @@
 
 namespace contactd::geometry {
 
-/// Shares at a knot of the first and the second derivative of the polynomial through the values around it.
+/// Holds the factors at a knot on the first and the second derivative of the polynomial through the values around it.
 struct DerivativeShares {
     double slope = 1, curving = 1;
 };
 
-/// The coordinates of all points of a slice, in the same order for all slices.
+/// Holds the coordinates of all points of a slice, in the same order for all slices.
 using SlicePoints = std::vector<double>;
 
-/// Weights of the values at some knots in the first and the second derivative at one.
+/// Holds weights of the values at some knots in the first and the second derivative at one.
 struct DerivativeStencil {
     std::vector<std::size_t> knots;
     std::vector<double> first, second;
 };
 
-/// The curve between two slices with equal values: it is constant, or it may pass an extremum where the two lie as
+/// Selects the curve between two slices with equal values. It is constant, or it may pass an extremum if the two are as
 /// close to each other as to their neighbours and the second differences at four knots around show one.
 enum class EqualValues { stay, may_flank_extremum };
 
-/// Returns the shares at all knots, as quintic_spline.hpp has them.
+/// Returns the factors at all knots, as described in quintic_spline.hpp.
 std::vector<DerivativeShares> shares_of_shape(const KnotsAlong& knots, std::span<const DerivativeStencil> stencils,
                                               std::span<const SlicePoints> slices, EqualValues equal);
 

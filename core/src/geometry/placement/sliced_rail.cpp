@@ -13,7 +13,7 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double spacing = 0.5;         // mm: of points on the longest slice
+constexpr double spacing = 0.5;         // mm: distance of points on the longest slice
 constexpr int most_places = 2'000'000;  // 64 MB
 constexpr double rounding = 1e-6;       // mm
 constexpr double at_a_kink = 0.1;       // mm: features are rounded
@@ -43,7 +43,7 @@ std::vector<double> ends_at_features(const SlicedRail::Slice& slice, const std::
     return ends;
 }
 
-/// Parts that begin or end between two slices have nothing to be joined with, unless features say which they are.
+/// Parts that begin or end between two slices cannot be joined unless features identify them.
 void check_kinks(const std::vector<std::vector<double>>& ends) {
     const std::size_t parts = ends.front().size() - 1;
     for (std::size_t i = 1; i < ends.size(); ++i)
@@ -125,12 +125,12 @@ void SlicedRail::join(const std::vector<Slice>& slices, const std::vector<Ends>&
     }
 }
 
-// Parts of the same slices are decided on together, so that they meet at the features between them.
+// Parts of the same slices are computed together, so that they meet at the features between them.
 void SlicedRail::go_along(std::size_t first, std::size_t last) {
     std::vector<Stretch*> parts;
     for (Stretch& stretch : stretches_)
         if (stretch.first == first && stretch.last == last) parts.push_back(&stretch);
-    if (!parts.front()->y.front().derivatives.empty()) return;  // they were decided on
+    if (!parts.front()->y.front().derivatives.empty()) return;  // They were already computed.
     for (const auto lines : {&Stretch::y, &Stretch::z}) {
         std::vector<SlicePoints> points(last + 1 - first);
         for (const Stretch* stretch : parts)
@@ -142,8 +142,8 @@ void SlicedRail::go_along(std::size_t first, std::size_t last) {
     }
 }
 
-// A part that begins or ends beside one that goes on knows other slices than that, so that the feature between both
-// would leave a slice in two directions. It takes that of the longer one, and the difference fades away across it.
+// A part that begins or ends beside a longer one depends on other slices, so that the feature between both would leave
+// a slice in two directions. It takes the direction of the longer one, and the difference decays across it.
 void SlicedRail::join_at_feature(Stretch& before, Stretch& behind) {
     if (before.first == behind.first && before.last == behind.last) return;
     const bool before_is_longer = before.last - before.first > behind.last - behind.first;

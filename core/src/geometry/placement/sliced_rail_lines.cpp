@@ -1,4 +1,5 @@
-// Lines of a rail of slices along the track: where they are without the profiles between slices, and how steep.
+// Computes lines of a rail of slices along the track: their positions without the profiles between slices, and their
+// slopes.
 #include <algorithm>
 #include <cmath>
 #include <limits>

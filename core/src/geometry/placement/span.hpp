@@ -1,4 +1,4 @@
-// Parts of a profile over which a direction ascends: what is seen at a right angle to it.
+// Finds parts of a profile over which a direction ascends, which are visible at a right angle to it.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace contactd::geometry {
 
-/// Parameters of a curve, and what ascends at both.
+/// Holds parameters of a curve, and the ascending values at both.
 struct Span {
     double from = 0, to = 0;
     double low = 0, high = 0;
 };
 
-/// From the knot nearest to s to both sides, as long as `value` of the points ascends.
+/// Returns the span from the knot nearest to s to both sides, as long as `value` of the points ascends.
 template <class Value>
 Span ascending_span(const ProfileCurve& curve, double s, const Value& value) {
     const std::vector<double>& knots = curve.knots();
@@ -29,8 +29,8 @@ Span ascending_span(const ProfileCurve& curve, double s, const Value& value) {
     return {knots[first], knots[last], value(points[first]), value(points[last])};
 }
 
-/// Returns the span that is seen from above, from the point in the middle to both sides. y of the curve ascends from
-/// its first point to its last; `turned_y` is that of the track.
+/// Returns the span that is visible from above, from the point in the middle to both sides. y of the curve ascends from
+/// its first point to its last; `turned_y` returns y in the track.
 template <class TurnedY>
 Span visible_span(const ProfileCurve& curve, const TurnedY& turned_y) {
     const double middle = 0.5 * (curve.points().front().y + curve.points().back().y);

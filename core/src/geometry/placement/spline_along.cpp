@@ -54,7 +54,7 @@ LineAlong SplineAlong::between_gaps(std::vector<double> values) const {
     return line;
 }
 
-// Beyond the ends knots and values go on as they end, or come again.
+// Beyond the ends, knots and values are extrapolated or periodic.
 double SplineAlong::knot(std::ptrdiff_t index) const {
     const std::vector<double>& at = knots();
     const auto n = static_cast<std::ptrdiff_t>(at.size());
@@ -77,7 +77,7 @@ double SplineAlong::value(std::span<const double> values, std::ptrdiff_t index) 
 }
 
 LineAlong SplineAlong::cubic(std::span<const double> values) const {
-    // What a natural end does fades by 0.27 a knot: that far away a periodic spline is the same.
+    // The effect of a natural end decays by 0.27 per knot, so at this distance a periodic spline is the same.
     const auto beyond = static_cast<std::ptrdiff_t>(period_ > 0 ? 40 : 0),
                n = static_cast<std::ptrdiff_t>(values.size());
     std::vector<double> t, v;
@@ -99,7 +99,7 @@ LineAlong SplineAlong::cubic(std::span<const double> values) const {
     return line;
 }
 
-// Three control points have a share in what the spline is at a knot, by the five knots around it (de Boor, A Practical
+// Three control points determine the spline at a knot, with weights from the five knots around it (de Boor, A Practical
 // Guide to Splines, chapter X).
 LineAlong SplineAlong::approximating(std::span<const double> values) const {
     LineAlong line;

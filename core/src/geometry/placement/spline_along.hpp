@@ -1,4 +1,4 @@
-// Curves from slice to slice, of all kinds that a set-up may ask for.
+// Computes curves from slice to slice, of all kinds that a set-up may request.
 #pragma once
 
 #include <span>
@@ -9,7 +9,8 @@
 
 namespace contactd::geometry {
 
-/// A curve by what it is at the knots; between two it is the quintic with these ends, which a cubic is, too.
+/// Holds a curve by its values and derivatives at the knots. Between two knots it is the quintic with these ends, which
+/// includes cubics.
 struct LineAlong {
     std::vector<double> values;
     std::vector<KnotDerivatives> derivatives;
@@ -20,20 +21,20 @@ struct LineAlong {
     }
 };
 
-/// Splines of one kind over common knots.
+/// Computes splines of one kind over common knots.
 class SplineAlong {
    public:
-    /// Knots ascend; there are two at least. With a period the first one comes again after it. Both ends of a cubic
-    /// spline without a period are natural; an approximating one passes through the first value and the last. With a
-    /// period both end at pieces that are four times as wide as those on both sides, where nothing is known: they pass
-    /// through the values there, and have no slope.
+    /// There are at least two ascending knots. With a period the first one follows the last one. Without a period, both
+    /// ends of a cubic spline are natural, and an approximating one passes through the first and the last value. With a
+    /// period, both end at pieces that are four times as wide as their neighbours, where nothing is known: they pass
+    /// through the values there, with zero slope.
     SplineAlong(std::vector<double> knots, SliceSpline kind, double period = 0, EqualValues equal = EqualValues::stay);
 
-    /// Returns what the lines of all points of the slices have in common.
+    /// Returns the factors that the lines of all points of the slices share.
     std::vector<DerivativeShares> shares(std::span<const SlicePoints> slices) const;
-    /// The curve of the values of a point at the knots, which those of an approximating spline are not.
+    /// Returns the curve of a point from its values at the knots. An approximating spline does not pass through them.
     LineAlong line(std::vector<double> values, std::span<const DerivativeShares> shares) const;
-    /// The curve of slices with a single value each.
+    /// Returns the curve of slices with a single value each.
     LineAlong line(std::vector<double> values) const;
 
     const std::vector<double>& knots() const { return preserving_.knots(); }

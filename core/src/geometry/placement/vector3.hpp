@@ -1,4 +1,4 @@
-// Vectors and rotations of three-dimensional space.
+// Defines vectors and rotations of three-dimensional space.
 #pragma once
 
 #include <cmath>
@@ -21,7 +21,7 @@ inline Vector3 cross(const Vector3& a, const Vector3& b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Its columns are the turned axes.
+/// The columns are the rotated axes.
 struct Rotation {
     Vector3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
 
@@ -29,12 +29,12 @@ struct Rotation {
     Rotation operator*(const Rotation& inner) const { return {*this * inner.x, *this * inner.y, *this * inner.z}; }
     Vector3 turned_back(const Vector3& a) const { return {dot(x, a), dot(y, a), dot(z, a)}; }
 
-    /// About x, from y to z.
+    /// Returns the rotation about x, from y to z.
     static Rotation roll(double angle) {
         const double c = std::cos(angle), s = std::sin(angle);
         return {{1, 0, 0}, {0, c, s}, {0, -s, c}};
     }
-    /// About z, from x to y, and then about x.
+    /// Returns the rotation about z, from x to y, and then about x.
     static Rotation yaw_then_roll(double yaw, double roll_angle) {
         const double c = std::cos(yaw), s = std::sin(yaw);
         const Rotation rolled = roll(roll_angle);
@@ -42,7 +42,7 @@ struct Rotation {
     }
 };
 
-/// A frame of axes in another.
+/// Describes a frame of axes in another.
 struct Frame {
     Vector3 origin{};
     Rotation axes{};

@@ -7,7 +7,7 @@
 namespace contactd::geometry {
 namespace {
 
-/// The frame in which a profile is where a rigid wheelset would have it in that of the wheelset.
+/// Returns the frame in which a profile has the position that it has in the frame of a rigid wheelset.
 Frame deviating(const Frame& wheelset, const Vector3& profile_origin, const WheelDeviation& by) {
     const Vector3 moved{by.x, by.y, by.z};
     if (by.roll == 0 && by.yaw == 0) return {wheelset.origin + wheelset.axes * moved, wheelset.axes};
@@ -40,7 +40,7 @@ WheelSurface WheelSurface::lowered(double dz) const {
     return wheel;
 }
 
-// With r the radius at the angle of the point, z^2 + x^2 = r^2. Newton's method in z.
+// With r the radius at the angle of the point, z^2 + x^2 = r^2 is solved by Newton's method in z.
 BelowAxle WheelSurface::below_axle(double x, const ProfileCurve::Place& here, double s) const {
     constexpr double settled = 1e-11;  // mm
     const double rho = radius_ + here.at.z;
@@ -59,7 +59,7 @@ BelowAxle WheelSurface::below_axle(double x, const ProfileCurve::Place& here, do
 }
 
 double WheelSurface::radius_along(double x, double s) const {
-    constexpr double step = 5;  // mm: over some slices, between which curvatures are no better than radii
+    constexpr double step = 5;  // mm: a few slices, between which curvatures are no more accurate than radii
     const ProfileCurve::Place here = profile_.place(s);
     if (!out_of_round_) return radius_ + here.at.z;
     const auto z = [&](double at) { return below_axle(at, here, s).z; };
@@ -93,12 +93,12 @@ std::pair<std::size_t, std::size_t> WheelSurface::seen_slice_nodes() const {
     return {first, last};
 }
 
-// With F = z - sqrt(rho^2 - x^2), grad F is (x, -rho dz/dy, Z)/Z in the wheel's coordinates, Z the square root. The
-// distance to a body with slope p along x is least along x where (R grad F)_x + p (R grad F)_z = 0. That slope depends
-// on x in the track, which counts from the origin of the track and not from that of the wheel.
+// With F = z - sqrt(rho^2 - x^2), grad F is (x, -rho dz/dy, Z)/Z in the wheel's coordinates, with Z the square root.
+// The distance to a body with slope p along x is least along x where (R grad F)_x + p (R grad F)_z = 0. That slope
+// depends on x in the track, which is counted from the origin of the track and not from that of the wheel.
 LocusPoint WheelSurface::locus(double s, double other) const {
     const ProfileCurve::Place here = profile_.place(s);
-    const auto& [X, Y, Z] = frame_.axes;  // X.y is the y of the turned x axis in the track
+    const auto& [X, Y, Z] = frame_.axes;  // X.y is the y of the rotated x axis in the track.
     const double rho = radius_ + here.at.z, y = base_y_ + here.at.y;
     const double incline = here.slope.z / here.slope.y;
     const double incline_slope =
@@ -116,7 +116,7 @@ LocusPoint WheelSurface::locus(double s, double other) const {
     return locus_point(here, x, beyond ? 0 : Y.x / X.x * (here.slope.z * incline + rho * incline_slope));
 }
 
-// This solves the same condition by secants in x.
+// Solves the same condition by secants in x.
 LocusPoint WheelSurface::locus(double s, const std::function<double(double x)>& other_slope) const {
     constexpr double settled = 1e-7;  // mm
     const ProfileCurve::Place here = profile_.place(s);

@@ -15,14 +15,14 @@ double distance(const ProfilePoint& a, const ProfilePoint& b) {
     return std::hypot(b.y - a.y, b.z - a.z);
 }
 
-/// Angle between the chords before and behind a point.
+/// Returns the angle between the chords before and behind a point.
 double turn(const Points& points, std::size_t i) {
     const double y0 = points[i].y - points[i - 1].y, z0 = points[i].z - points[i - 1].z;
     const double y1 = points[i + 1].y - points[i].y, z1 = points[i + 1].z - points[i].z;
     return std::abs(std::atan2(y0 * z1 - z0 * y1, y0 * y1 + z0 * z1));
 }
 
-/// From a point on, those whose y is farther out than that of any before.
+/// Returns the points from one on whose y is farther out than that of any previous point.
 template <class Iterator>
 Points outwards(Iterator from, Iterator end, double sense) {
     Points kept{*from};
@@ -31,7 +31,7 @@ Points outwards(Iterator from, Iterator end, double sense) {
     return kept;
 }
 
-/// Points that come back above earlier ones hide these.
+/// Returns the points that are not hidden: points that turn back above earlier ones hide these.
 template <class Iterator>
 Points uppermost(Iterator from, Iterator end, double sense) {
     Points kept{*from};
@@ -49,7 +49,7 @@ Points joined(Points left, const Points& right) {
     return left;
 }
 
-/// Where the other side comes out from behind a lip. `beside` is the hidden point next to its end.
+/// Returns the point where the other side emerges from behind a lip. `beside` is the hidden point next to its end.
 ProfilePoint behind_lip(const ProfilePoint& lip, const ProfilePoint& other, const ProfilePoint& beside) {
     constexpr double advance = 1e-3;  // mm, so that y goes on
     const double y = lip.y + std::copysign(std::min(advance, std::abs(other.y - lip.y) / 2), other.y - lip.y);
@@ -72,7 +72,7 @@ Points without_zigzags(Points points) {
         const bool twice = i > 0 && i + 2 < points.size() && turn(points, i) > zigzag && turn(points, i + 1) > zigzag;
         if (twice) {
             const ProfilePoint mean{(points[i].y + points[i + 1].y) / 2, (points[i].z + points[i + 1].z) / 2};
-            points[++i] = mean;  // the next turn is that of the mean
+            points[++i] = mean;  // The next turn is that of the mean.
         }
         kept.push_back(points[i]);
     }
@@ -137,7 +137,7 @@ Visible visible_part(const Points& points, const std::vector<std::size_t>& kinks
         }
         return std::max(seen[i - 1].y - least, most - seen[i].y) > depth;
     };
-    // A rail's lip is above what it hides, a wheel's below.
+    // A rail's lip is above the part that it hides, a wheel's below.
     const auto is_lip_beside = [kind](const ProfilePoint& end, const ProfilePoint& other) {
         return kind == ProfileKind::rail ? end.z < other.z : end.z > other.z;
     };

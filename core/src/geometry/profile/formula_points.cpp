@@ -12,9 +12,9 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// Head of 60E1, upright, its top in the origin: the half with y > 0, from the top to where it is widest.
+/// Describes the head of an upright 60E1, its top at the origin: the half with y > 0, from the top to the widest point.
 struct Head60E1 {
-    static constexpr double top_width = 10.5, shoulder_width = 25.988, widest = 37.15;  // half of them (mm)
+    static constexpr double top_width = 10.5, shoulder_width = 25.988, widest = 37.15;  // half widths (mm)
     double to_shoulder = std::asin(top_width / 300);  // inclination of the normal there
     ProfilePoint shoulder_centre{220 * std::sin(to_shoulder), 300 - 220 * std::cos(to_shoulder)};
     double to_corner = std::asin((shoulder_width - shoulder_centre.y) / 80);
@@ -24,14 +24,14 @@ struct Head60E1 {
     ProfilePoint side{corner_centre.y + 13 * std::sin(to_side), corner_centre.z - 13 * std::cos(to_side)};
     ProfilePoint lowest{widest, side.z + 20 * (widest - side.y)};
 
-    /// The highest point when the head is inclined towards y < 0: z of the centre of its arc, and the arc's radius.
+    /// Returns the highest point of a head inclined towards y < 0: z of the centre of its arc, and the arc's radius.
     std::pair<ProfilePoint, double> top_arc(double angle) const {
         if (angle <= to_shoulder) return {{0, 300}, 300};
         return angle <= to_corner ? std::pair(shoulder_centre, 80.0) : std::pair(corner_centre, 13.0);
     }
 };
 
-/// Bends the last 3 mm of a stretch at both ends, to meet other points.
+/// Bends the last 3 mm of a stretch at both ends to meet other points.
 Stretch bent(const Stretch& stretch, const ProfilePoint& begin, const ProfilePoint& end) {
     const double z_begin = begin.z - stretch.at(0).z, z_end = end.z - stretch.at(stretch.length).z;
     return {stretch.length, [=](double t) {
@@ -47,7 +47,7 @@ Stretch bent(const Stretch& stretch, const ProfilePoint& begin, const ProfilePoi
 }  // namespace
 
 std::vector<ProfilePoint> formula_points(const S1002&) {
-    // The arcs of the flange touch each other and the straight line: joints follow from their centres.
+    // The arcs of the flange touch each other and the straight line, so joints follow from their centres.
     constexpr ProfilePoint back{-49.5, 9.519259302}, tip{-55, 16}, front{-58.558326413, 8.834924130},
         root{-26.210665, 16.446};
     constexpr double slope = -2.747477419;  // 70 degrees
@@ -59,7 +59,7 @@ std::vector<ProfilePoint> formula_points(const S1002&) {
     const Stretch tread = polynomial({0, -3.358537058e-2, 1.565681624e-3, -2.810427944e-5, 5.844240864e-8,
                                       -1.562379023e-8, 5.309217349e-15, -5.957839843e-12, 2.646656573e-13},
                                      -26, 32.15796);
-    // Its coefficients are rounded so that it misses its neighbours by 1.2e-4 and 3.7e-5 mm.
+    // Its coefficients are rounded, so that it misses its neighbours by 1.2e-4 and 3.7e-5 mm.
     const Stretch throat = bent(polynomial({-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875,
                                             -2.054332446e-1, -4.169739389e-3, -4.687195829e-5, -2.252755540e-7},
                                            -35, -26),
@@ -76,7 +76,7 @@ std::vector<ProfilePoint> formula_points(const S1002&) {
 }
 
 std::vector<ProfilePoint> formula_points(const Rail60E1& rail) {
-    // The published head of 1/40 is turned about this point, 0.24 mm above the centre of R300.
+    // The published head of 1/40 is rotated about this point, 0.24 mm above the centre of R300.
     constexpr ProfilePoint pivot{0, 299.762};
     const Head60E1 head;
     const auto inclination = [](double normal) { return normal - pi / 2; };  // angle in an arc from that of its normal
@@ -108,7 +108,7 @@ std::vector<ProfilePoint> formula_points(const Rail60E1& rail) {
 }
 
 std::vector<ProfilePoint> formula_points(const ArcProfile& profile) {
-    // The angle of the normal at y: its sine is linear in y.
+    // The sine of the angle of the normal is linear in y.
     const double leaning = std::atan(profile.slope), radius = profile.radius;
     const ProfilePoint centre{-radius * std::sin(leaning), radius * std::cos(leaning)};
     const auto angle = [&](double y) {

@@ -7,14 +7,16 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double of_top = 0.2;           // mm below the highest point: a level that noise moves little
-constexpr double of_head = 10;           // mm, where corners have ended and side wear has not begun
-constexpr double least_of_head = 2;      // mm
-constexpr double clearly = 2.5;          // mm: heads of radius 200 mm that lean by 1/40 have 3.6, those of 300 mm 5.4
-constexpr double of_gauge = 14;          // mm below the top: where gauges are measured
+constexpr double of_top = 0.2;       // mm below the highest point, a level that noise affects little
+constexpr double of_head = 10;       // mm below the top, where corners have ended and side wear has not begun
+constexpr double least_of_head = 2;  // mm
+// Heads of radius 200 mm with an inclination of 1/40 have 3.6 mm, those of 300 mm 5.4 mm.
+constexpr double clearly = 2.5;
+constexpr double of_gauge = 14;          // mm below the top, where gauges are measured
 constexpr double of_rolled_surface = 8;  // mm: a side that ends higher was not measured
 
-/// Returns y where the head passes a level on one side of its top, or its end where rounding puts the level below it.
+/// Returns y where the head passes a level on one side of its top, or its end if rounding errors put the level below
+/// it.
 double y_at(const std::vector<ProfilePoint>& points, std::size_t top, double level, bool right) {
     for (std::size_t i = top;;) {
         const std::size_t next = right ? i + 1 : i - 1;
@@ -27,7 +29,7 @@ double y_at(const std::vector<ProfilePoint>& points, std::size_t top, double lev
     }
 }
 
-/// Returns whether the profile only falls from its top to a level; noses with wings do not.
+/// Returns whether the profile falls monotonically from its top to a level; noses with wings do not.
 bool falls(const std::vector<ProfilePoint>& points, std::size_t top, double level, bool right) {
     constexpr double waves = 0.1;  // mm
     double lowest = points[top].z;
@@ -41,7 +43,7 @@ bool falls(const std::vector<ProfilePoint>& points, std::size_t top, double leve
 
 struct Head {
     std::size_t top;
-    double left, right;  // how far below the top it is seen on each side (mm)
+    double left, right;  // visible depth below the top on each side (mm)
 };
 
 Head head_of(const std::vector<ProfilePoint>& points) {

@@ -1,4 +1,4 @@
-// Which interval between ascending values a value lies in, by buckets of equal width.
+// Finds the interval between ascending values that contains a value, by buckets of equal width.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@ namespace contactd::geometry {
 class IntervalFinder {
    public:
     IntervalFinder() = default;
-    /// Takes two values or more, not descending.
+    /// Takes at least two values that do not descend.
     explicit IntervalFinder(std::vector<double> values) : values_(std::move(values)) {
         const std::size_t buckets = 4 * values_.size();
         per_value_ = static_cast<double>(buckets) / (values_.back() - values_.front());
@@ -21,7 +21,7 @@ class IntervalFinder {
         }
     }
 
-    /// The last i with values[i] <= value, at most the last interval; value must not be below the first value.
+    /// Returns the last i with values[i] <= value, at most the last interval; value must not be below the first value.
     std::size_t operator()(double value) const {
         std::size_t interval = first_[std::min(bucket_of(value), first_.size() - 1)];
         while (interval + 2 < values_.size() && values_[interval + 1] <= value) ++interval;
@@ -36,7 +36,7 @@ class IntervalFinder {
     }
 
     std::vector<double> values_;
-    std::vector<std::size_t> first_;  // of each bucket: an interval that begins in it or before, as late as possible
+    std::vector<std::size_t> first_;  // for each bucket: the last interval that begins in it or before
     double per_value_ = 0;
 };
 

@@ -21,16 +21,17 @@ namespace {
 
 using geometry::Points;
 
-/// How points become a curve.
+/// Describes how points become a curve.
 struct Fit {
-    double length = 0, lambda = 0;  // as of ProfileFile
+    double length = 0, lambda = 0;  // as in ProfileFile
     int order = 2;
     KinkRule kinks{};
 
     bool smooths() const { return length > 0 || lambda > 0; }
 };
 
-/// Points alike, or as their distances and more at the ends, which are fixed; most at kinks, but of the third order.
+/// Returns the weights of points: equal, or proportional to their distances. They are larger at the fixed ends and,
+/// unless of third order, at kinks.
 std::vector<double> weights_between(const std::vector<double>& s, std::size_t from, std::size_t to, const Fit& fit) {
     std::vector<double> weights;
     for (std::size_t i = from; i <= to; ++i) {
@@ -42,7 +43,7 @@ std::vector<double> weights_between(const std::vector<double>& s, std::size_t fr
     return weights;
 }
 
-/// Each part between kinks for itself; where two meet, the mean of both.
+/// Smooths each part between kinks separately; where two meet, the mean of both is used.
 Points smoothed(const ProfileCurve& rough, const Fit& fit) {
     const Points& points = rough.points();
     const auto& s = rough.knots();
@@ -83,7 +84,7 @@ double spacing_of(const ProfileCurve& curve) {
     return (curve.end() - curve.begin()) / static_cast<double>(curve.points().size() - 1);
 }
 
-/// Fills in how far the curve is from the points that it smooths.
+/// Sets the distances of the curve from the points that it smooths.
 void tell_smoothing(Profile& made, const Points& points, const geometry::Visible& visible, const Fit& fit) {
     ProfileEvidence& evidence = made.evidence;
     double squares = 0, count = 0;
@@ -98,8 +99,8 @@ void tell_smoothing(Profile& made, const Points& points, const geometry::Visible
     evidence.cut_off = fit.lambda > 0 ? geometry::wavelength_of(fit.lambda * evidence.spacing) : fit.length;
 }
 
-/// Counts lengths from the point nearest to the origin where y does not ascend throughout: elements then lie where the
-/// established program has them. It takes the last of several such points, and for wheels the first.
+/// Counts lengths from the point nearest to the origin if y does not ascend throughout, so that elements lie where
+/// reference programs put them. It uses the last of several such points, and for wheels the first.
 ProfileCurve counted(ProfileCurve curve, const Points& points, ProfileKind kind) {
     const auto recedes = [](const ProfilePoint& a, const ProfilePoint& b) { return !(b.y > a.y); };
     if (std::ranges::adjacent_find(points, recedes) == points.end()) return curve;
@@ -111,7 +112,7 @@ ProfileCurve counted(ProfileCurve curve, const Points& points, ProfileKind kind)
     return curve.counted_from(curve.s_at_y(nearest.y));
 }
 
-/// The curve through the points, or near them, as far as it is seen from above: hidden points have their part in
+/// Makes the curve through the points, or near them, as far as it is visible from above. Hidden points affect the
 /// smoothing, too.
 Profile of_points(const ProfilePoints& given, ProfileKind kind, const Fit& fit, double rounded_to) {
     const Points points = geometry::measured_points(given, kind);
@@ -151,9 +152,9 @@ Profile made_of(const ProfileFile& file, ProfileKind kind) {
     return made;
 }
 
-/// By a formula.
+/// Makes the curve of a formula.
 Profile made_of(const auto& shape, ProfileKind kind) {
-    const auto points = geometry::formula_points(shape);  // sides of an inclined head may lean under it
+    const auto points = geometry::formula_points(shape);  // Sides of an inclined head may lean under it.
     ProfileCurve curve(kind == ProfileKind::rail ? geometry::rail_seen_from_above(points) : points);
     ProfileEvidence evidence{points.size(), curve.points().size(), spacing_of(curve)};
     if (kind == ProfileKind::wheel) evidence.wheel = geometry::wheel_landmarks(curve);

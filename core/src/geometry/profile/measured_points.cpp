@@ -12,8 +12,8 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double widest = 1000;         // mm
-constexpr double flange_height = 10;    // mm: what a flange stands out at least, and the sides of a rail
-constexpr double flange_to_tread = 40;  // mm: less wide is a flange alone, which may be cut off anywhere
+constexpr double flange_height = 10;    // mm: least height of a flange, and of the sides of a rail
+constexpr double flange_to_tread = 40;  // mm: a narrower profile is a flange alone, which may be cut off anywhere
 
 std::string text_of(const ProfilePoint& point) {
     return "(" + number_text(point.y) + ", " + number_text(point.z) + ")";
@@ -34,7 +34,7 @@ Points in_mm(const ProfilePoints& given) {
     return points;
 }
 
-/// Too little remains where a profile is not run through in order, or stands upright.
+/// Throws if too little remains, because a profile is not ordered, or stands upright.
 void check_remainder(std::size_t kept, std::size_t given) {
     if (2 * kept < given)
         throw InvalidArgument("profile.points", "has " + std::to_string(given) + " entries, of which only " +
@@ -58,7 +58,7 @@ void check_sense(const Points& points, ProfileKind kind) {
             throw InvalidArgument("profile.points",
                                   "rise to z = " + number_text(upper->z) + " at y = " + number_text(upper->y) +
                                       ", but z points downwards, to the tip of the flange: change mirror_z");
-        // What falls off evenly to one side is a cone, and no flange.
+        // A steady slope to one side is a cone, not a flange.
         const bool deep = lower->z - usual > std::max(flange_height, 2 * (usual - upper->z));
         if ((flange && !flange->is_left && shows_tread) || (deep && lower->y > centre))
             throw InvalidArgument("profile.points", "have the flange at y = " + number_text(lower->y) +
@@ -76,7 +76,7 @@ Points measured_points(const ProfilePoints& given, ProfileKind kind) {
         throw InvalidArgument("profile.points",
                               "has " + std::to_string(given.points.size()) +
                                   " entries; a profile needs at least two points, and a measured one about fifty");
-    // The mean of a zigzag may be its neighbour.
+    // The mean of a zigzag may coincide with its neighbour.
     const Points points = without_repetitions(without_zigzags(without_repetitions(in_mm(given))));
     if (const auto crossing = crossing_of(points); crossing.found())
         throw InvalidArgument("profile.points",

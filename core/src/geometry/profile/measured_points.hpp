@@ -1,4 +1,4 @@
-// Points as they were given, made ready for a curve.
+// Prepares given points for a curve.
 #pragma once
 
 #include "contactd/profile_spec.hpp"
@@ -6,8 +6,8 @@
 
 namespace contactd::geometry {
 
-/// In mm, from the end of lesser y to the other, cleaned; some may be hidden from above. Throws InvalidArgument below
-/// "profile" for points that make no profile.
+/// Returns the points in mm, ordered from the end with the lesser y to the other, and cleaned; some may be hidden from
+/// above. Throws InvalidArgument below "profile" for points that do not form a profile.
 Points measured_points(const ProfilePoints& given, ProfileKind kind);
 
 }  // namespace contactd::geometry

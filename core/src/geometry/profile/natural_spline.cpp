@@ -5,7 +5,7 @@ namespace contactd::geometry {
 std::vector<double> natural_curving(std::span<const double> knots, std::span<const double> values) {
     const std::size_t n = knots.size();
     std::vector<double> curving(n, 0.0), upper(n, 0.0);
-    for (std::size_t i = 1; i + 1 < n; ++i) {  // elimination, downwards
+    for (std::size_t i = 1; i + 1 < n; ++i) {  // forward elimination
         const double before = knots[i] - knots[i - 1], behind = knots[i + 1] - knots[i];
         const double slope_change = (values[i + 1] - values[i]) / behind - (values[i] - values[i - 1]) / before;
         const double pivot = 2 * (before + behind) - before * upper[i - 1];

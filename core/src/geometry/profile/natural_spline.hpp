@@ -1,4 +1,4 @@
-// Cubic splines with natural ends.
+// Computes cubic splines with natural ends.
 #pragma once
 
 #include <span>
@@ -6,8 +6,8 @@
 
 namespace contactd::geometry {
 
-/// Second derivatives at the knots of the C2 cubic spline through `values`, zero at both ends (Stoer and Bulirsch,
-/// section 2.5). Knots ascend.
+/// Returns second derivatives at the knots of the C2 cubic spline through `values`, zero at both ends (Stoer and
+/// Bulirsch, section 2.5). Knots ascend.
 std::vector<double> natural_curving(std::span<const double> knots, std::span<const double> values);
 
 }  // namespace contactd::geometry

@@ -23,7 +23,7 @@ void check(const std::vector<ProfilePoint>& points, const std::vector<std::size_
     if (points.size() < 2)
         throw InvalidArgument("points",
                               "has " + std::to_string(points.size()) + " entries; a profile needs at least two points");
-    // Rails that vary along the track make many profiles: nothing but the numbers is looked at where all is right.
+    // Rails that vary along the track make many profiles, so only the numbers are checked if all are valid.
     const auto field = [](std::size_t i) { return "points[" + std::to_string(i) + "]"; };
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto& [y, z] = points[i];
@@ -63,8 +63,8 @@ struct ProfileCurve::Tables {
     std::vector<std::size_t> kinks;
     IntervalFinder by_s;
     std::vector<SplinePiece> pieces;
-    double y_sense = 0;   // 1 where y of the points ascends, -1 where it descends, otherwise 0
-    IntervalFinder by_y;  // of y times its sense
+    double y_sense = 0;   // 1 if y of the points ascends, -1 if it descends, otherwise 0
+    IntervalFinder by_y;  // for y times its sense
 
     Tables(std::vector<ProfilePoint>&& points_, std::vector<std::size_t>&& kinks_)
         : points(std::move(points_)), kinks(std::move(kinks_)), by_s(chord_lengths(points)) {
@@ -98,7 +98,8 @@ struct ProfileCurve::Tables {
         }
     }
 
-    /// Returns the lengths at the points, which are measured when somebody asks: sections of rails live a step only.
+    /// Returns the lengths at the points. They are computed on first use, because sections of rails exist only for one
+    /// step.
     const std::vector<double>& arc_lengths() const {
         std::call_once(measured_, [this] {
             arc_lengths_.push_back(0);
@@ -118,11 +119,11 @@ struct ProfileCurve::Tables {
                 return;
             }
         }
-        if (values.back() - values.front() < narrowest) y_sense = 0;  // no buckets in what is next to nothing
+        if (values.back() - values.front() < narrowest) y_sense = 0;  // The range is too small for buckets.
         if (y_sense != 0) by_y = IntervalFinder(std::move(values));
     }
 
-    /// The s in an interval at which y is reached; y lies between those of its points.
+    /// Returns the s in an interval at which y is reached; y lies between those of its points.
     double s_in(std::size_t interval, double y) const {
         const auto& powers = pieces[interval].y;
         const double h = width(interval), sense = points[interval + 1].y > points[interval].y ? 1 : -1;
@@ -157,7 +158,7 @@ double ProfileCurve::end() const {
 }
 
 ProfileCurve::Place ProfileCurve::place(double s) const {
-    const double inside = s > 0 ? std::min(s, end()) : 0.0;  // the first point's, too, where s is not a number
+    const double inside = s > 0 ? std::min(s, end()) : 0.0;  // If s is NaN, it is the first point's.
     const std::size_t interval = tables_->by_s(inside);
     const SplinePiece& piece = tables_->pieces[interval];
     const double t = inside - tables_->knots()[interval], beyond = s - inside;

@@ -11,7 +11,7 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double narrowest_wheel = 25, narrowest_rail = 12;  // mm: a fifth of what is usual
+constexpr double narrowest_wheel = 25, narrowest_rail = 12;  // mm: a fifth of usual widths
 
 double width_of(const ProfileCurve& profile) {
     const auto [least, most] = std::ranges::minmax_element(profile.points(), {}, &ProfilePoint::y);
@@ -27,7 +27,7 @@ void warn_of_width(const Profile& profile, const std::string& name, std::vector<
                        " mm are usual. Set unit to 25.4 for points in inches, or to 1000 for metres.");
 }
 
-/// What measuring errors leave of a curve: points are as far as this from cubics through their neighbours (mm).
+/// Returns the scatter due to measuring errors: the distance (mm) of points from cubics through their neighbours.
 double scatter_of(const ProfileCurve& curve) {
     const auto& points = curve.points();
     const auto& s = curve.knots();
@@ -49,13 +49,13 @@ double scatter_of(const ProfileCurve& curve) {
     if (distances.empty()) return 0;
     const auto median = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
     std::ranges::nth_element(distances, median);
-    return *median / 0.6745;  // of errors that are normally distributed
+    return *median / 0.6745;  // for normally distributed errors
 }
 
-constexpr std::size_t measured = 100;  // points: fewer are drawn by hand
-constexpr double much = 2e-3;          // 1/mm, of treads and heads whose radii are 300 mm
+constexpr std::size_t measured = 100;  // points: profiles with fewer are not measured
+constexpr double much = 2e-3;          // 1/mm: error of curvature for treads and heads with radii of 300 mm
 
-/// Second differences of rounded points are a step over the square of their distance.
+/// Second differences of rounded points have the size of a step over the square of their distance.
 bool warn_of_rounding(const Profile& profile, const std::string& name, std::vector<std::string>& warnings) {
     const double step = profile.evidence.rounded_to, apart = profile.evidence.spacing;
     if (step == 0 || step < much * apart * apart) return false;
@@ -66,8 +66,8 @@ bool warn_of_rounding(const Profile& profile, const std::string& name, std::vect
     return true;
 }
 
-/// Errors of this size make second differences of sqrt(6) times as much over the square of the distance. Smoothing over
-/// L leaves a curvature of 29 errors sqrt(distance / L^5), by the spectrum of both.
+/// Errors of this size cause second differences of sqrt(6) times the error over the square of the distance. Smoothing
+/// over L leaves a curvature of 29 errors sqrt(distance / L^5), by the spectrum of both.
 void warn_of_scatter(const Profile& profile, const std::string& name, std::vector<std::string>& warnings) {
     const double scatter = scatter_of(profile.curve), apart = profile.evidence.spacing;
     if (2.45 * scatter < 2 * much * apart * apart) return;
@@ -79,7 +79,7 @@ void warn_of_scatter(const Profile& profile, const std::string& name, std::vecto
                        short_text(std::clamp(std::ceil(length), 2.0, 10.0)) + " mm.");
 }
 
-/// A profile that is smoothed by more than measurements err has lost a part of its shape.
+/// A profile that is smoothed by more than measuring errors has lost a part of its shape.
 void warn_of_smoothing(const Profile& profile, const std::string& name, std::vector<std::string>& warnings) {
     constexpr double far = 0.3;  // mm
     const double moved = profile.evidence.largest_distance;

@@ -10,7 +10,7 @@
 namespace contactd::geometry {
 namespace {
 
-/// Rows of a symmetric matrix with so many bands on either side of the diagonal: its (i, i) to (i, i + count).
+/// Holds rows of a symmetric matrix with `count` bands on either side of the diagonal: its (i, i) to (i, i + count).
 template <std::size_t count>
 using Bands = std::vector<std::array<double, count + 1>>;
 
@@ -33,7 +33,7 @@ std::vector<double> solved(Bands<count> bands, std::vector<double> right) {
     return right;
 }
 
-/// The four cubic B-splines of an interval, `t` along it from 0 to 1.
+/// Returns the four cubic B-splines of an interval, with `t` along it from 0 to 1.
 std::array<double, 4> b_splines(double t) {
     const double rest = 1 - t;
     return {rest * rest * rest / 6, (3 * t * t * t - 6 * t * t + 4) / 6,
@@ -55,7 +55,7 @@ std::vector<double> smoothed(std::span<const double> knots, std::span<const doub
     const std::size_t n = knots.size();
     std::vector<double> smooth(values.begin(), values.end());
     if (n < 3 || lambda == 0) return smooth;
-    // Column i of Q takes values to the change of slope at knot i + 1: (R + lambda Q^T W^-1 Q) f'' = Q^T values.
+    // Column i of Q converts values to the change of slope at knot i + 1: (R + lambda Q^T W^-1 Q) f'' = Q^T values.
     std::vector<std::array<double, 3>> differences(n - 2);
     Bands<2> bands(n - 2);
     std::vector<double> right(n - 2);
@@ -67,7 +67,7 @@ std::vector<double> smoothed(std::span<const double> knots, std::span<const doub
     }
     for (std::size_t i = 0; i + 2 < n; ++i)
         for (std::size_t k = 0; k < 3 && i + k + 2 < n; ++k)
-            for (std::size_t at = k; at < 3; ++at)  // of the knots that both differences have
+            for (std::size_t at = k; at < 3; ++at)  // knots that both differences share
                 bands[i][k] += lambda * differences[i][at] * differences[i + k][at - k] / weights[i + at];
     const auto curving = solved<2>(std::move(bands), std::move(right));
     for (std::size_t i = 0; i + 2 < n; ++i)

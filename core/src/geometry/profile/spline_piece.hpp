@@ -1,4 +1,4 @@
-// One interval of a profile's curve: two cubics, their length, and where a function over them is zero.
+// Represents one interval of a profile's curve: two cubics, their length, and roots of functions over them.
 #pragma once
 
 #include <array>
@@ -7,7 +7,7 @@
 
 namespace contactd::geometry {
 
-/// In powers of t.
+/// Holds coefficients of powers of t.
 struct Cubic {
     std::array<double, 4> c{};
 
@@ -16,13 +16,13 @@ struct Cubic {
     double second(double t) const { return 2 * c[2] + 6 * t * c[3]; }
 };
 
-/// y and z over one interval, in powers of s from its beginning.
+/// Holds y and z over one interval, in powers of s from its beginning.
 struct SplinePiece {
     Cubic y{}, z{};
 
     double speed(double t) const { return std::hypot(y.first(t), z.first(t)); }
 
-    /// From its beginning to t, by Gauss's rule with five points.
+    /// Returns the length from the beginning to t, by Gauss's rule with five points.
     double length(double t) const {
         constexpr std::array<double, 3> nodes{0, 0.5384693101056831, 0.9061798459386640};
         constexpr std::array<double, 3> weights{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
@@ -34,7 +34,7 @@ struct SplinePiece {
     }
 };
 
-/// The t in [0, end] where an ascending function is zero, by Newton's method between bounds that close in.
+/// Returns the t in [0, end] where an ascending function is zero, by Newton's method between shrinking bounds.
 template <class Function>
 double root(double end, double start, const Function& value_and_slope) {
     double low = 0, high = end, t = start;

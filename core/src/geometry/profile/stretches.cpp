@@ -9,7 +9,7 @@ namespace {
 
 constexpr double smallest_step = 0.01, largest_step = 0.5, growth = 1.3;  // mm
 
-/// From 0 to the length, both included, symmetric.
+/// Returns parameters from 0 to the length, both included, symmetric.
 std::vector<double> graded(double length) {
     std::vector<double> half{0};
     for (double step = smallest_step; half.back() < length / 2; step = std::min(growth * step, largest_step))

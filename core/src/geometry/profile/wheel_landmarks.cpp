@@ -6,10 +6,10 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double least_flange = 10;         // mm that its tip stands out from the tread
+constexpr double least_flange = 10;         // mm: least height of the tip over the tread
 constexpr double least_hollow = 0.02;       // 1/mm: throats have radii of 13 to 20 mm, and worn ones of 30
 constexpr double to_tread = 55;             // mm from the tip to the running circle, 70 mm from the flange's back
-constexpr double step = 0.25, reach = 1.5;  // mm along the curve, and to both sides for a curvature without its noise
+constexpr double step = 0.25, reach = 1.5;  // mm along the curve, and to both sides for a curvature without noise
 
 ProfilePoint difference(const ProfilePoint& a, const ProfilePoint& b) {
     return {a.y - b.y, a.z - b.z};

@@ -1,4 +1,4 @@
-// Places by which a wheel is known.
+// Finds characteristic points of a wheel.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace contactd::geometry {
 
-/// Tip, throat and tread of a wheel whose flange stands out by 10 mm at least; nothing of others. The curve's y
-/// ascends, z points downwards.
+/// Returns tip, throat and tread of a wheel whose flange is at least 10 mm high, and nothing for others. The curve's y
+/// ascends, and z points downwards.
 std::optional<WheelLandmarks> wheel_landmarks(const ProfileCurve& wheel);
 
 }  // namespace contactd::geometry

@@ -9,18 +9,19 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double further = 0.1;      // mm: heights of a state that lie less apart are looked at together
-constexpr double inexact = 0.01;     // mm: by how much gaps along lines may be too large,
-constexpr double of_second = 0.125;  // and of the second differences along a line, where cubics swing beyond it
-constexpr double steepest_side = 3;  // dz/dy of what is looked at in the middle of a line only
+constexpr double further = 0.1;   // mm: heights of a state that are closer are evaluated together
+constexpr double inexact = 0.01;  // mm: by this much gaps along lines may be too large
+// Gaps may also be too large by this part of the second differences along a line, because cubics overshoot.
+constexpr double of_second = 0.125;
+constexpr double steepest_side = 3;  // dz/dy above which only the middle of a line is evaluated
 
-/// The lower side of a round wheel near a place of its profile, by a parabola.
+/// Approximates the lower side of a round wheel near a place of its profile by a parabola.
 class Ring {
    public:
     explicit Ring(const WheelSurface& wheel) : wheel_(wheel) {}
 
-    /// Returns how far a point of the track lies below the wheel, in the direction of the wheel's own z; infinite where
-    /// there is no wheel.
+    /// Returns the distance of a point of the track below the wheel, in the direction of the wheel's own z, or infinity
+    /// if there is no wheel.
     double gap(const Vector3& point) {
         const Vector3 inside = wheel_.frame().inside(point);
         const double y = inside.y - wheel_.base_y();
@@ -48,7 +49,7 @@ class Ring {
     bool exists_ = false;
 };
 
-/// A row within a step of y that has a gap, if any.
+/// Returns a row within a step of y that has a gap, or null.
 const LocusRow* row_near(const Locus& locus, double y) {
     for (const LocusRow& row : locus.rows_within({y - locus.step(), y + locus.step()}))
         if (std::isfinite(row.gap)) return &row;

@@ -15,14 +15,15 @@ namespace {
 using Node = GapMesh::Node;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double part_of_radius = 0.125;  // how far to both sides of the wheel's middle
-constexpr double steepest_flange = 4;     // slope, over which contacts lead and trail by yaw
+constexpr double part_of_radius = 0.125;  // extent to both sides of the wheel's middle
+constexpr double steepest_flange = 4;     // slope that determines how far contacts lead and trail by yaw
 constexpr std::size_t side = 8;           // of a square, in steps
-constexpr double least_dent = 0.02;       // mm: by how much a gap within a square may be less than those at its corners
-constexpr double coarsely_settled = 1e-3;  // mm: those at corners may be off by this, which is little of that
-constexpr double slope_dent = 0.5;         // and of the difference of these
+// A gap within a square may be less than those at its corners by this much (mm).
+constexpr double least_dent = 0.02;
+constexpr double coarsely_settled = 1e-3;  // mm: error of gaps at corners, which is small compared with that
+constexpr double slope_dent = 0.5;         // and this part of their difference
 constexpr int most_nodes = 10'000'000;     // 80 MB of gaps
-constexpr double unknown_dent = 0.5;       // of the square's width, where there is a corner without wheel or rail
+constexpr double unknown_dent = 0.5;       // in widths of the square, if there is a corner without wheel or rail
 
 void check_nodes(double nodes, double step_x, double step_y) {
     count_of(nodes, {"dx", "and dy result in steps of " + number_text(step_x) + " and " + number_text(step_y) + " mm",
@@ -35,7 +36,7 @@ std::size_t squares_of(std::size_t lines) {
 
 }  // namespace
 
-// A yawed wheel's middle lies ahead of the axle's or behind it, and its flange touches ahead of that or behind.
+// The middle of a yawed wheel lies ahead of the axle's or behind it, and its flange touches farther ahead or behind.
 double reach_along(const WheelSurface& wheel) {
     const Frame& axes = wheel.frame();
     const double yawed = std::abs(axes.outside({0, 1, 0}).x - axes.outside({0, 0, 0}).x);
@@ -111,7 +112,7 @@ GapMesh::Square GapMesh::square(std::size_t column, std::size_t row) const {
             {std::min((column + 1) * side, columns_ - 1), std::min((row + 1) * side, rows_.size() - 1)}};
 }
 
-// The last lines are looked at whatever `every` leaves out.
+// The last lines are always evaluated, whatever `every` skips.
 double GapMesh::look_at(const Square& square, std::size_t every, double settled) {
     observer_.throw_if_cancelled();
     const ContactReference plane{0, 0.5 * (rail_.visible().low + rail_.visible().high), 0, 0};
@@ -160,16 +161,16 @@ double GapMesh::floor_of(const Square& square) const {
         least = std::min(least, gap);
         if (gap < infinite) largest = std::max(largest, gap);
     }
-    // An edge of an out-of-round wheel, midway, may lie deeper by what both sides of it rise.
+    // An edge of an out-of-round wheel, midway, may lie deeper by the rise of both sides of it.
     const double edge = 0.5 * wheel_.steepest() * static_cast<double>(side) * step_x_;
     double dent = least_dent + edge + (least < infinite ? slope_dent * (largest - least) : 0);
     if (!known) dent += unknown_dent * static_cast<double>(side) * std::max(step_x_, step_y_);
     return least - dent;
 }
 
-// Squares that lie beside each other are looked at together: along a row a wheel is smooth.
+// Adjacent squares are evaluated together, because a wheel is smooth along a row.
 void GapMesh::look_below(double height) {
-    constexpr double done = infinite, settled = 1e-8;  // mm: what is left out of a circle is a thousand times less
+    constexpr double done = infinite, settled = 1e-8;  // mm: the neglected part of a circle is a thousand times less
     const std::size_t across = squares_of(columns_);
     for (std::size_t k = 0; k < floors_.size();) {
         if (!(floors_[k] <= height)) {

@@ -1,5 +1,5 @@
-// How far wheel and rail are from each other, seen from above, on a mesh: for rails that curve along the track, of
-// which the least distance of each y tells too little.
+// Computes distances of wheel and rail, seen from above, on a mesh. This is for rails that curve along the track, for
+// which the least distance of each y is not sufficient.
 #pragma once
 
 #include <cstddef>
@@ -17,12 +17,13 @@ namespace contactd::geometry {
 /// Returns how far to both sides of the wheel's middle the rail may reach it (mm).
 double reach_along(const WheelSurface& wheel);
 
-/// Nodes lie on lines of equal x, an eighth of the wheel's radius and more to both sides of it, and of equal y, from
-/// the first point of the rail on. Gaps are vertical distances of a wheelset at z = 0 (mm): one lower by z has gap - z.
-/// They are looked at where they may count only, in squares of nodes: the first pass takes the corners.
+/// Evaluates gaps on nodes, which lie on lines of equal x, at least an eighth of the wheel's radius to both sides of
+/// it, and of equal y, from the first point of the rail on. Gaps are vertical distances of a wheelset at z = 0 (mm):
+/// one lowered by z has gap - z. They are only evaluated where they may matter, in squares of nodes; the first pass
+/// evaluates the corners.
 class GapMesh {
    public:
-    /// A line of equal y: where it is, and the rail's profile at x = 0 there.
+    /// Describes a line of equal y: its position, and the rail's profile at x = 0 there.
     struct Row {
         double y = 0, rail_z = 0;
         double angle = 0;  ///< inclination of the rail (rad)
@@ -30,39 +31,40 @@ class GapMesh {
     struct Node {
         std::size_t column, row;
     };
-    /// Reaches from its first node to its last one on both lines.
+    /// Extends from its first node to its last one on both lines.
     struct Square {
         Node from, to;
     };
 
-    /// The wheel stands at z = 0. All must live longer. Steps in mm. Throws InvalidArgument ("dx") for nodes that are
-    /// too many, and here and later Cancelled when the observer, which is asked before each row of squares, says so.
+    /// The wheel stands at z = 0. All arguments must outlive this object. Steps are in mm. Throws InvalidArgument
+    /// ("dx") for too many nodes, and here and later Cancelled if the observer, which is called before each row of
+    /// squares, cancels.
     GapMesh(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y, const Observer& observer);
-    /// Takes the wheel by nodes of its own, in the track (search_nodes.hpp). Lines of equal x are as many as columns of
-    /// these, and reach as far; those of equal y begin at the third point of the rail's profile, and end with the third
-    /// from its end.
+    /// Uses separate nodes of the wheel, in the track (search_nodes.hpp). Lines of equal x correspond to the columns of
+    /// these; lines of equal y begin at the third point of the rail's profile, and end at the third from its end.
     GapMesh(const WheelSurface& wheel, const RailSurface& rail, NodeMesh nodes, double step_y,
             const Observer& observer);
 
-    /// Has all nodes looked at that may have a gap below `height`.
+    /// Evaluates all nodes that may have a gap below `height`.
     void look_below(double height);
-    double least_gap() const { return least_gap_; }  ///< infinite where no part of the wheel is above the rail
+    double least_gap() const { return least_gap_; }  ///< infinite if no part of the wheel is above the rail
 
     std::size_t columns() const { return columns_; }
     const std::vector<Row>& rows() const { return rows_; }
     double x(std::size_t column) const { return first_x_ + static_cast<double>(column) * step_x_; }
     double y(std::size_t row) const { return rows_[row].y; }
-    /// Infinite where there is no wheel or no rail, or where nobody looked, because it is too far away.
+    /// Returns the gap at a node. It is infinite if there is no wheel or no rail, or if it was not evaluated because it
+    /// is too large.
     double gap(const Node& node) const { return gaps_[index(node)]; }
     std::size_t index(const Node& node) const { return node.row * columns_ + node.column; }
     double step_x() const { return step_x_; }
     double step_y() const { return step_y_; }
 
-    /// Nodes that may have a gap below the height that was looked below last lie in it.
+    /// Returns a square that contains all nodes that may have a gap below the height of the last evaluation.
     const Square& looked_at() const { return looked_at_; }
 
-    /// Connected nodes, also by corners, with a gap below z, which were looked at; by descending y. On nodes of the
-    /// wheel's own those whose boxes overlap or touch are connected, too.
+    /// Returns groups of connected nodes, also by corners, with a gap below z, which were evaluated, by descending y.
+    /// On separate nodes of the wheel, groups whose boxes overlap or touch are connected, too.
     std::vector<std::vector<Node>> connected_below(double z) const;
 
    private:
@@ -79,9 +81,9 @@ class GapMesh {
                                          double settled);
     void join_boxes(std::vector<std::vector<Node>>& parts) const;
     Square square(std::size_t column, std::size_t row) const;
-    /// Returns the least gap. Heights are those of polynomials that have settled so far (mm).
+    /// Returns the least gap. Heights are those of polynomials that have settled to this value (mm).
     double look_at(const Square& square, std::size_t every, double settled);
-    /// Returns what no gap in the square is below, by those at its corners.
+    /// Returns a lower bound of the gaps in the square, from those at its corners.
     double floor_of(const Square& square) const;
     std::vector<Node> spread(const Node& start, double z, std::vector<bool>& seen) const;
 
@@ -93,8 +95,9 @@ class GapMesh {
     std::optional<NodeMesh> nodes_;
     std::vector<Row> rows_;
     std::vector<double> gaps_;
-    std::vector<double> floors_;  // of squares, by rows of them; infinite of those that were looked at
-    Square looked_at_{{static_cast<std::size_t>(-1), static_cast<std::size_t>(-1)}, {0, 0}};  // around all of these
+    std::vector<double> floors_;  // of squares, by rows of them; infinite for evaluated ones
+    Square looked_at_{{static_cast<std::size_t>(-1), static_cast<std::size_t>(-1)},
+                      {0, 0}};  // around all evaluated squares
     double least_gap_;
 };
 

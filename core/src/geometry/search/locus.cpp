@@ -13,18 +13,18 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double near = 1e-6;          // mm: so short a step along a tangent loses nothing
-constexpr double longest_span = 0.5;   // mm: of rows that the first pass leaves out
-constexpr double deepest_dent = 0.25;  // of a span's length
-constexpr double least_dent = 0.02;    // mm: by how much a gap within a span may be less than those at its ends
+constexpr double near = 1e-6;          // mm: so short a step along a tangent is exact
+constexpr double longest_span = 0.5;   // mm: length of rows that the first pass skips
+constexpr double deepest_dent = 0.25;  // in lengths of a span
+constexpr double least_dent = 0.02;    // mm: by this much a gap within a span may be less than those at its ends
 constexpr int most_rows = 1'000'000;   // 64 MB
 
 std::size_t rows_in_span(double step) {
-    return static_cast<std::size_t>(std::max(1.0, longest_span / step));  // the constructor has bounded the quotient
+    return static_cast<std::size_t>(std::max(1.0, longest_span / step));  // The constructor has limited the quotient.
 }
 
-/// y where the gap is `height`, by a parabola through three rows, or the line through the first two where the third has
-/// no gap or one of theirs.
+/// Returns y where the gap is `height`, by a parabola through three rows, or by the line through the first two if the
+/// third has no gap or the gap of one of them.
 double y_of_gap(const LocusRow& a, const LocusRow& b, const LocusRow& c, double height) {
     const double along = (height - a.gap) / (b.gap - a.gap), line = a.y + along * (b.y - a.y);
     if (!std::isfinite(c.gap) || c.gap == a.gap || c.gap == b.gap) return line;
@@ -64,8 +64,8 @@ double Locus::curvature() const {
     return 0.5 / wheel_.nominal_radius() + 0.5 * rail_.curvature_along();
 }
 
-/// Fills the row at row.y; false where there is no wheel or no rail. Rows follow each other closely, so that the start
-/// is near mostly: one look at each curve, whose tangents do the rest.
+/// Fills the row at row.y; returns false if there is no wheel or no rail. Rows are close to each other, so that the
+/// start is usually near: one evaluation of each curve and its tangents are sufficient.
 bool Locus::look(LocusRow& row, Start& start) const {
     const double step = row.y - start.y;
     double rail_s = start.rail.ahead(step), wheel_s = start.wheel.ahead(step);
@@ -107,9 +107,9 @@ void Locus::look_at(std::size_t i, Start& start) {
     least_gap_ = std::min(least_gap_, rows_[i].gap);
 }
 
-// Straight lines are not enough where the rail is steep: from row to row it falls by more than wheels penetrate.
-// Through three rows y is a parabola of the gap, which is used where it stays between the two that the height lies
-// between.
+// Straight lines are not accurate enough where the rail is steep, because from row to row it falls by more than wheels
+// penetrate. Through three rows, y is a parabola of the gap, which is used if it stays between the two rows around the
+// height.
 LocusRow Locus::crossing(std::size_t inside, std::size_t outside, double height) const {
     constexpr double settled = 1e-7;  // mm
     LocusRow in = rows_[inside], out = rows_[outside],
@@ -118,7 +118,7 @@ LocusRow Locus::crossing(std::size_t inside, std::size_t outside, double height)
     for (int iteration = 0; iteration < 20 && std::abs(out.y - in.y) > settled; ++iteration) {
         LocusRow between;
         between.y = y_of_gap(in, out, third, height);
-        // Near one end a parabola moves that end only: now and then the middle.
+        // Near one end, a parabola moves only that end, so the middle is used now and then.
         if (iteration % 4 == 3 || !((between.y - in.y) * (between.y - out.y) < 0)) between.y = 0.5 * (in.y + out.y);
         if (between.y == in.y || between.y == out.y || !look(between, start)) break;
         if (std::abs(between.gap - height) < settled) return between;
@@ -143,8 +143,9 @@ double Locus::least_between(std::size_t begin) const {
     return std::min(rows_[begin].gap, rows_[end].gap) - dent(begin, end);
 }
 
-// A parabola through the ends of two spans dents each by an eighth of its second difference; this is safe by far, and
-// larger where profiles are rough, up to what a kink may be. Nothing is known of spans beside which there is no wheel.
+// A parabola through the ends of two spans dents each by an eighth of its second difference. The estimate is much
+// larger to be safe, and larger where profiles are rough, up to the size of a kink. Spans are unknown if there is no
+// wheel beside them.
 double Locus::dent(std::size_t begin, std::size_t end) const {
     const std::size_t span = rows_in_span(step_);
     const auto bend = [&](std::size_t at) {

@@ -1,4 +1,4 @@
-// How far wheel and rail are from each other, seen from above: for each y the least vertical distance along the track.
+// Computes distances of wheel and rail, seen from above: for each y the least vertical distance along the track.
 #pragma once
 
 #include <cmath>
@@ -14,39 +14,40 @@
 
 namespace contactd::geometry {
 
-/// At one y of the track (mm). gap is that of a wheelset at z = 0: one lower by z has gap - z. Infinite where there is
-/// no wheel or no rail, or where nobody looked, because it is too far away.
+/// Describes the distance at one y of the track (mm). gap is that of a wheelset at z = 0: one lowered by z has gap - z.
+/// It is infinite if there is no wheel or no rail, or if it was not evaluated because it is too large.
 struct LocusRow {
     double y = 0, gap = 0;
-    double x = 0;       ///< where along the track
-    double rail_z = 0;  ///< of the rail there
-    double rail_s = 0;  ///< of its profile
-    double rise = 0;    ///< of the rail: dz/dy
+    double x = 0;       ///< position along the track
+    double rail_z = 0;  ///< z of the rail there
+    double rail_s = 0;  ///< s of its profile there
+    double rise = 0;    ///< slope of the rail: dz/dy
     double angle = 0;   ///< inclination of the rail (rad), of which rise is the tangent
 };
 
-/// Rows that lie step apart, from the first point of the rail on. They are looked at where they may count only: the
-/// first pass leaves out most of them.
+/// Holds rows at a distance of `step`, from the first point of the rail on. They are only evaluated where they may
+/// matter; the first pass omits most of them.
 class Locus {
    public:
-    /// The wheel stands at z = 0. All must live longer. Throws InvalidArgument ("patches.locus_step") for rows that are
-    /// too many, and here and later Cancelled when the observer, which is asked span by span, says so.
+    /// The wheel stands at z = 0. All arguments must outlive this object. Throws InvalidArgument ("patches.locus_step")
+    /// for too many rows, and here and later Cancelled if the observer, which is called for each span, cancels.
     Locus(const WheelSurface& wheel, const RailSurface& rail, double step, const Observer& observer);
 
-    /// Has all rows looked at that may have a gap below `height`.
+    /// Evaluates all rows that may have a gap below `height`.
     void look_below(double height);
     const std::vector<LocusRow>& rows() const { return rows_; }
     std::span<const LocusRow> rows_within(const Extent& y) const;
-    /// Where the gap is `height` between two rows, of which the one inside has less, the neighbour outside not.
+    /// Returns the point between two rows where the gap is `height`; the row inside has less, the neighbour outside
+    /// does not.
     LocusRow crossing(std::size_t inside, std::size_t outside, double height) const;
     double step() const { return step_; }
-    double least_gap() const { return least_gap_; }  ///< infinite where no part of the wheel is above the rail
+    double least_gap() const { return least_gap_; }  ///< infinite if no part of the wheel is above the rail
 
-    /// Along x the gap grows by curvature() times the square of the distance (1/mm).
+    /// Returns the factor of the square of the distance along x with which the gap increases (1/mm).
     double curvature() const;
 
    private:
-    /// The parameter of a curve at the last row, and how it goes on.
+    /// Holds the parameter of a curve at the last row, and its derivatives.
     struct Trace {
         double s;
         double slope = 0, bend = 0;  // ds/dy, and that of slope
@@ -58,7 +59,7 @@ class Locus {
             s = to;
         }
     };
-    /// Where the row that follows begins to look.
+    /// Describes the start of the search for the next row.
     struct Start {
         double y;
         Trace wheel, rail;
@@ -68,7 +69,7 @@ class Locus {
     double dent(std::size_t begin, std::size_t end) const;
     double least_between(std::size_t begin) const;
     void look_between(std::size_t begin);
-    /// Beyond the first and the last one rows have no gap.
+    /// Returns a row; beyond the first and the last one, rows have no gap.
     LocusRow row_at(std::size_t row) const {
         return row < rows_.size() ? rows_[row] : LocusRow{0, std::numeric_limits<double>::infinity()};
     }
@@ -79,8 +80,8 @@ class Locus {
     const Observer& observer_;
     double step_, least_gap_;
     std::vector<LocusRow> rows_;
-    std::vector<double> wheel_s_;  // of rows that have both
-    std::vector<double> least_;    // gap that the spans of the first pass may have; infinite once they were looked at
+    std::vector<double> wheel_s_;  // of rows with both bodies
+    std::vector<double> least_;    // lower bound of the gap in spans of the first pass; infinite for evaluated ones
 };
 
 }  // namespace contactd::geometry

@@ -52,7 +52,7 @@ OverlapRegion LocusSearch::region_of(std::size_t begin, std::size_t end, double 
     return region;
 }
 
-/// Where the gap is z beside the last row inside, or that row itself where nothing is known beyond it.
+/// Returns the point where the gap is z beside the last row inside, or that row itself if nothing is known beyond it.
 LocusRow LocusSearch::edge(std::size_t inside, long step, double z) const {
     const long next = static_cast<long>(inside) + step;
     const std::vector<LocusRow>& rows = locus_.rows();
@@ -68,8 +68,8 @@ LocusRow LocusSearch::edge(std::size_t inside, long step, double z) const {
     return end;
 }
 
-// A row that is d deep overlaps as d - a x^2: its volume is 4/3 d^1.5/sqrt(a), the mean of x^2 over it d/(5 a). That of
-// an ellipse's paraboloid is a sixth of the square of its semi-axis, and its volume half of approach times area.
+// A row of depth d overlaps as d - a x^2: its volume is 4/3 d^1.5/sqrt(a), and the mean of x^2 over it d/(5 a). For an
+// ellipse's paraboloid, the mean is a sixth of the square of its semi-axis, and the volume half of approach times area.
 EquivalentEllipse LocusSearch::ellipse(double z, const RegionGroup& group) const {
     const double a = locus_.curvature();
     double volume = 0, along = 0, first = 0, second = 0;
@@ -82,7 +82,7 @@ EquivalentEllipse LocusSearch::ellipse(double z, const RegionGroup& group) const
         second += weight * aside * aside;
     }
     const double cosine = std::abs(std::cos(group.reference.angle)), mean = first / volume;
-    // A row is as wide as the step, which matters where there is but one.
+    // A row is as wide as the step, which matters if there is only one.
     const double variance = second / volume - mean * mean + locus_.step() * locus_.step() / 12;
     EquivalentEllipse ellipse;
     ellipse.along = std::sqrt(6.0 / 5 * along / volume / a);

@@ -1,4 +1,4 @@
-// Overlap of wheel and rail by the locus: along the track the gap grows as the wheel is round.
+// Searches the overlap of wheel and rail by the locus: along the track, the gap grows with the round wheel.
 #pragma once
 
 #include "geometry/search/edges_along.hpp"
@@ -10,11 +10,11 @@ namespace contactd::geometry {
 
 class LocusSearch : public OverlapSearch {
    public:
-    /// Where the overlap ends between two rows: where the gap is zero, or would be if it and the rail were straight
-    /// from row to row, as reference programs have it.
+    /// Selects the end of the overlap between two rows: where the gap is zero, or would be if it and the rail were
+    /// straight from row to row, as in reference programs.
     enum class Ends { exact, straight };
 
-    /// The wheel stands at z = 0. All must live longer.
+    /// The wheel stands at z = 0. All arguments must outlive this object.
     LocusSearch(const WheelSurface& wheel, const RailSurface& rail, double step, Ends ends, const Observer& observer)
         : wheel_(wheel), rail_(rail), observer_(observer), locus_(wheel, rail, step, observer), ends_(ends) {}
 
@@ -33,8 +33,8 @@ class LocusSearch : public OverlapSearch {
     const Observer& observer_;
     Locus locus_;
     Ends ends_;
-    std::optional<EdgesAlong> edges_;  // of slices, once they are asked for,
-    std::optional<CoarseMesh> mesh_;   // and where these may be edges
+    std::optional<EdgesAlong> edges_;  // of slices, created when needed
+    std::optional<CoarseMesh> mesh_;   // created if there may be edges
 };
 
 }  // namespace contactd::geometry

@@ -20,7 +20,7 @@ std::vector<OverlapRegion> MeshSearch::regions(double z) {
     return regions;
 }
 
-// Extents are those of the lines beside the last ones that overlap.
+// Extents are those of the lines next to the last ones that overlap.
 OverlapRegion MeshSearch::region_of(const std::vector<Node>& nodes, double z) const {
     OverlapRegion region;
     ContactReference mean;
@@ -44,7 +44,7 @@ OverlapRegion MeshSearch::region_of(const std::vector<Node>& nodes, double z) co
         return rail_.height(region.reference.x, y, 0.5 * (rail_.visible().from + rail_.visible().to));
     };
     region.reference.z = height(region.reference.y);
-    // The mean of a region around a place where a part of the rail ends may have no rail below it.
+    // The mean of a region around the end of a part of the rail may have no rail below it.
     if (!std::isfinite(region.reference.z)) {
         region.reference.x = mesh_.x(deepest.column);
         region.reference.y = mesh_.y(deepest.row);
@@ -75,7 +75,7 @@ void MeshSearch::for_each(double z, const RegionGroup& group, const Visit& visit
 }
 
 // The mean square of the distance over an ellipse's paraboloid is a sixth of the square of its semi-axis, and the
-// volume half of approach times area.
+// volume is half of approach times area.
 EquivalentEllipse MeshSearch::ellipse(double z, const RegionGroup& group) const {
     double volume = 0, x_first = 0, x_second = 0, y_first = 0, y_second = 0;
     for_each(z, group, [&](const Node& node, double depth) {
@@ -86,7 +86,7 @@ EquivalentEllipse MeshSearch::ellipse(double z, const RegionGroup& group) const 
         y_first += depth * aside;
         y_second += depth * aside * aside;
     });
-    // A node stands for what is around it, which matters where there are few.
+    // A node represents its surroundings, which matters if there are few.
     const auto semi_axis = [&](double first, double second, double step) {
         const double mean = first / volume;
         return std::sqrt(6 * (second / volume - mean * mean + step * step / 12));

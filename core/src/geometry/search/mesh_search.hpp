@@ -1,4 +1,4 @@
-// Overlap of wheel and rail on a mesh: for rails that curve along the track as wheels do.
+// Searches the overlap of wheel and rail on a mesh, for rails that curve along the track like wheels.
 #pragma once
 
 #include "geometry/search/gap_mesh.hpp"
@@ -8,11 +8,11 @@ namespace contactd::geometry {
 
 class MeshSearch : public OverlapSearch {
    public:
-    /// The wheel stands at z = 0. All must live longer. Steps in mm.
+    /// The wheel stands at z = 0. All arguments must outlive this object. Steps are in mm.
     MeshSearch(const WheelSurface& wheel, const RailSurface& rail, double step_x, double step_y,
                const Observer& observer)
         : rail_(rail), mesh_(wheel, rail, step_x, step_y, observer) {}
-    /// Takes the wheel by the nodes of search_nodes.hpp.
+    /// Uses the nodes of search_nodes.hpp for the wheel.
     MeshSearch(const WheelSurface& wheel, const RailSurface& rail, NodeMesh nodes, double step_y,
                const Observer& observer)
         : rail_(rail), mesh_(wheel, rail, std::move(nodes), step_y, observer) {}
@@ -25,7 +25,7 @@ class MeshSearch : public OverlapSearch {
 
    private:
     OverlapRegion region_of(const std::vector<GapMesh::Node>& nodes, double z) const;
-    /// Calls `visit` with each node of the group that overlaps, and how deep.
+    /// Calls `visit` with each node of the group that overlaps, and its depth.
     template <class Visit>
     void for_each(double z, const RegionGroup& group, const Visit& visit) const;
 

@@ -1,4 +1,4 @@
-// Edges and steps of a rail that the search along the locus passes over: a second look, on a coarse mesh.
+// Searches again, on a coarse mesh, for edges and steps of a rail that the search along the locus skips.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,14 @@
 
 namespace contactd::geometry {
 
-/// The locus takes the rail to be straight around the place where its distance to the wheel is least. Elsewhere on the
-/// rail the wheel may stand deeper: within an eighth of its radius this is seen.
+/// The locus assumes that the rail is straight around the point of least distance to the wheel. Elsewhere on the rail
+/// the wheel may be deeper; this search finds such places within an eighth of its radius.
 class CoarseMesh {
    public:
-    /// The wheel stands at z = 0. All must live longer. Throws as GapMesh does.
+    /// The wheel stands at z = 0. All arguments must outlive this object. Throws as GapMesh does.
     CoarseMesh(const WheelSurface& wheel, const RailSurface& rail, const Observer& observer);
 
-    /// `locus` has been looked at below z.
+    /// Returns a skipped place; `locus` must have been evaluated below z.
     std::optional<PassedOver> passed_over(const Locus& locus, double z);
 
    private:

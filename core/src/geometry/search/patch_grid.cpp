@@ -10,9 +10,9 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr int most_elements = 200'000;  // of one patch
+constexpr int most_elements = 200'000;  // in one patch
 
-/// Multiples of the step around zero that cover the extent, with one more on both sides.
+/// Holds multiples of the step around zero that cover the extent, with one more on both sides.
 struct Range {
     int first, last;
     int count() const { return last - first + 1; }
@@ -22,12 +22,12 @@ Range range_of(double from, double to, double step) {
     return {static_cast<int>(std::floor(from / step)) - 1, static_cast<int>(std::ceil(to / step)) + 1};
 }
 
-/// The count of a range, also where no int holds it.
+/// Returns the count of a range, even if it exceeds an int.
 double number_of(const Extent& between, double step) {
     return std::ceil(between.to / step) - std::floor(between.from / step) + 3;
 }
 
-/// Doubles elements, by the rule of reference programs, which is not in proportion where they are few in one direction.
+/// Doubles elements by the rule of reference programs, which is not proportional if there are few in one direction.
 void keep_below(int most, const Extent& x, const Extent& y, double& dx, double& dy) {
     constexpr double few = 10;
     for (;;) {
@@ -85,7 +85,7 @@ Grid grid_of(const RegionGroup& group, const RailSurface& rail, double dx, doubl
 }
 
 Grid convenient(Grid grid, bool all_rows) {
-    constexpr std::size_t largest = 20'000;  // beyond, elements cost more than operators
+    constexpr std::size_t largest = 20'000;  // Beyond this, elements cost more than operators.
     if (grid.size() > largest) return grid;
     const int more_x = convenient_size(grid.nx) - grid.nx;
     const int more_y = all_rows ? convenient_size(grid.ny) - grid.ny : 0;

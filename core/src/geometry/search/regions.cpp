@@ -8,7 +8,7 @@
 namespace contactd::geometry {
 namespace {
 
-/// Planes that stand upright have no z for their y.
+/// Changes the angle of upright planes, which have no z for their y.
 double away_from_upright(double angle) {
     constexpr double upright = std::numbers::pi / 2, least = 1e-3;
     if (std::abs(std::abs(angle) - upright) >= least) return angle;
@@ -19,7 +19,7 @@ double between(const Extent& a, const Extent& b) {
     return std::max({0.0, a.from - b.to, b.from - a.to});
 }
 
-/// Returns the distance between anything with extents.
+/// Returns the distance between two objects with extents.
 template <class A, class B>
 double distance(const A& a, const B& b) {
     const double x = between(a.x, b.x), y = between(a.y, b.y);
@@ -38,7 +38,7 @@ ContactReference mean_of(const ContactReference& a, double a_size, const Contact
     return {mean(a.x, b.x), mean(a.y, b.y), 0, mean(a.angle, b.angle)};
 }
 
-/// `left` lies to the left of all that the group has.
+/// Unites a group with `left`, which lies to the left of all its parts.
 RegionGroup united(const RegionGroup& group, const RegionGroup& left) {
     RegionGroup result = group;
     result.reference = mean_of(group.reference, group.size, left.reference, left.size);
@@ -83,7 +83,7 @@ std::vector<double> shares_of(const std::vector<OverlapRegion>& regions, const P
     return shares;
 }
 
-// So that the planes of patches that come closer agree when they begin to be one.
+// Rotates planes of patches that approach each other, so that they agree when the patches merge.
 void turn_neighbours(std::vector<RegionGroup>& groups, const PatchRules& rules) {
     const std::vector<RegionGroup> before = groups;
     for (std::size_t i = 0; i + 1 < groups.size(); ++i) {
@@ -108,7 +108,7 @@ std::vector<RegionGroup> group_regions(const std::vector<OverlapRegion>& regions
         parts.push_back({region.reference, {region}, {}, region.x, region.y, region.z, region.size});
     parts = joined(parts, rules.distance_combine, rules.angle_separate);
     const double middle = 0.5 * (rail.visible().from + rail.visible().to);
-    // The mean of regions beside a gap in the rail may have no rail below it, and is that of the largest one then.
+    // The mean of regions beside a gap in the rail may have no rail below it. Then it is that of the largest region.
     const auto put_on_rail = [&](RegionGroup& group) {
         ContactReference& at = group.reference;
         at.z = rail.height(at.x, at.y, middle);

@@ -1,4 +1,4 @@
-// The rules by which regions where wheel and rail overlap become patches.
+// Defines the rules by which regions of overlap of wheel and rail become patches.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace contactd::geometry {
 
-/// Regions that make one patch.
+/// Holds regions that form one patch.
 struct RegionGroup {
     ContactReference reference;
     std::vector<OverlapRegion> regions;
@@ -18,8 +18,8 @@ struct RegionGroup {
     double size = 0;
 };
 
-/// Regions are those of an OverlapSearch. Where `blends` is false those that would have a weighted interaction are
-/// groups of their own, and no plane is turned.
+/// Groups the regions of an OverlapSearch. If `blends` is false, those that would have a weighted interaction are
+/// separate groups, and planes are not rotated.
 std::vector<RegionGroup> group_regions(const std::vector<OverlapRegion>& regions, const PatchRules& rules, bool blends,
                                        const RailSurface& rail);
 

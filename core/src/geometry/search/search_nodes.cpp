@@ -9,7 +9,7 @@
 namespace contactd::geometry {
 namespace {
 
-/// How many lines reach so far: an odd number, so that one of them is in the middle.
+/// Returns the number of lines over a length, which is odd, so that one of them is in the middle.
 std::size_t lines_over(double length, double step, std::size_t rows) {
     const std::size_t lines = lines_within_bound(std::round(length / step + 2), rows);
     return lines + (lines % 2 == 0 ? 1 : 0);

@@ -10,7 +10,7 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double closed_within = 1e-9;  // of its length
+constexpr double closed_within = 1e-9;  // largest gap, over its length
 
 }  // namespace
 

@@ -14,7 +14,7 @@ namespace {
 
 using Polygon = std::vector<SectionPoint>;
 
-// Twice the area, positive anticlockwise.
+// Returns twice the area, positive anticlockwise.
 double turned_area(const Polygon& polygon) {
     const SectionPoint& o = polygon.front();
     double sum = 0;
@@ -35,7 +35,7 @@ bool inside(const SectionPoint& point, const Polygon& polygon) {
     return odd;
 }
 
-// One chord of a curve.
+// Describes one chord of a curve.
 struct Chord {
     SectionPoint a, b;
     std::size_t curve, index;
@@ -61,7 +61,7 @@ bool within(const SectionPoint& a, const SectionPoint& b, const SectionPoint& po
            point.z <= std::max(a.z, b.z);
 }
 
-// Where two chords cross or touch.
+// Returns a point where two chords cross or touch.
 std::optional<SectionPoint> common_point(const Chord& p, const Chord& q) {
     if (apart(p, q, &SectionPoint::y) || apart(p, q, &SectionPoint::z)) return {};
     const double a = side(q.a, q.b, p.a), b = side(q.a, q.b, p.b), c = side(p.a, p.b, q.a), d = side(p.a, p.b, q.b);
@@ -82,7 +82,7 @@ double distance(const SectionPoint& point, const Chord& chord) {
     return std::hypot(y - t * dy, z - t * dz);
 }
 
-// Where two chords that do not meet are nearer to each other than `least`.
+// Returns a point where two chords that do not meet are closer to each other than `least`.
 std::optional<SectionPoint> close_point(const Chord& p, const Chord& q, double least) {
     if (apart(p, q, &SectionPoint::y, least) || apart(p, q, &SectionPoint::z, least)) return {};
     for (const SectionPoint& end : {p.a, p.b})
@@ -104,7 +104,7 @@ void check_crossings(const std::vector<Polygon>& polygons, const std::vector<std
     for (std::size_t curve = 0; curve < polygons.size(); ++curve)
         for (std::size_t i = 0; i < polygons[curve].size(); ++i)
             chords.push_back({polygons[curve][i], polygons[curve][(i + 1) % polygons[curve].size()], curve, i});
-    // Along the axis where they overlap less.
+    // The chords are sorted along the axis on which they overlap less.
     const auto extent = [&](Coordinate along) {
         const auto [first, last] = std::minmax_element(
             chords.begin(), chords.end(), [&](const Chord& p, const Chord& q) { return p.a.*along < q.a.*along; });
@@ -115,7 +115,8 @@ void check_crossings(const std::vector<Polygon>& polygons, const std::vector<std
         for (const Chord& chord : chords) sum += high(chord, along) - low(chord, along);
         return sum / extent(along);
     };
-    // The least distance between two curves, over the body: with less the stiffness of the section is lost in rounding.
+    // This is the least distance between two curves, over the body. With less, rounding errors dominate the stiffness
+    // of the section.
     constexpr double least_bridge = 2e-6;
     const double least = least_bridge * std::max(extent(&SectionPoint::y), extent(&SectionPoint::z));
     const Coordinate along = spread(&SectionPoint::y) < spread(&SectionPoint::z) ? &SectionPoint::y : &SectionPoint::z;

@@ -1,4 +1,4 @@
-// Whether curves enclose a body.
+// Checks whether curves enclose a body.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace contactd::geometry {
 
-/// The outside first, then the holes; `names` are their fields, for errors. Throws InvalidArgument, with coordinates,
-/// for curves that turn back on themselves, cross themselves or each other, have the body on their left, and for holes
-/// outside of the body or inside of each other.
+/// Checks the outside, which is first, and the holes; `names` are their fields, for errors. Throws InvalidArgument,
+/// with coordinates, for curves that turn back on themselves, cross themselves or each other, or have the body on their
+/// left, and for holes outside the body or inside each other.
 void check_outlines(const std::vector<ClosedCurve>& curves, const std::vector<std::string>& names);
 
 }  // namespace contactd::geometry

@@ -9,10 +9,10 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double turn_step = 2 * std::numbers::pi / 180;  // of the tangent from point to point
-constexpr int most_spline_steps = 8;                      // between neighbours among its points
+constexpr double turn_step = 2 * std::numbers::pi / 180;  // rotation of the tangent from point to point
+constexpr int most_spline_steps = 8;                      // between adjacent points
 
-// So that two points are told apart at all.
+// Returns the least length at which two points are distinct.
 double least_length(const SectionPoint& a, const SectionPoint& b) {
     return 1e-12 * std::max({std::abs(a.y), std::abs(a.z), std::abs(b.y), std::abs(b.z)});
 }

@@ -1,4 +1,4 @@
-// A smooth piece of an outline by its arc length: a line, an arc, or a spline.
+// Represents a smooth piece of an outline by its arc length: a line, an arc, or a spline.
 #pragma once
 
 #include <cmath>
@@ -12,15 +12,15 @@
 
 namespace contactd::geometry {
 
-/// An angle in [-pi, pi].
+/// Returns the equivalent angle in [-pi, pi].
 inline double principal(double angle) {
     return std::remainder(angle, 2 * std::numbers::pi);
 }
 
-/// The point, normal and curvature at an arc length.
+/// Holds the point, normal and curvature at an arc length.
 struct OutlinePlace {
     SectionPoint at;
-    double angle = 0;      ///< of the outward normal, as that of a StripFrame, in [-pi, pi]
+    double angle = 0;      ///< of the outward normal, as in a StripFrame, in [-pi, pi]
     double curvature = 0;  ///< d angle / d arc length (1/mm): positive where the body is convex
 
     SectionPoint tangent() const { return {std::cos(angle), -std::sin(angle)}; }
@@ -29,14 +29,15 @@ struct OutlinePlace {
 
 class OutlinePiece {
    public:
-    /// Throws InvalidArgument naming `field` for no length, for an arc that does not reach, and for a spline whose
-    /// points coincide or lie beyond 1e5 mm.
+    /// Throws InvalidArgument, which names `field`, for a length of zero, for an arc that does not reach its end, and
+    /// for a spline whose points coincide or lie beyond 1e5 mm.
     OutlinePiece(const SectionPoint& from, const OutlinePart& part, const std::string& field);
 
     double length() const { return length_; }
     bool clamped() const { return clamped_; }
     OutlinePlace place(double s) const;  ///< 0 <= s <= length
-    /// Points along it from s = 0 on, without its end: chords between them turn by little from one to the next.
+    /// Returns points along it from s = 0 on, without its end, so close that the angle between adjacent chords is
+    /// small.
     std::vector<SectionPoint> points() const;
 
    private:
@@ -46,8 +47,8 @@ class OutlinePiece {
     };
     struct Arc {
         SectionPoint centre;
-        double radius;  // signed, as that of an ArcTo
-        double angle;   // where it begins
+        double radius;  // signed, as in ArcTo
+        double angle;   // angle at its beginning
     };
     using Shape = std::variant<Line, Arc, ProfileCurve>;
 
@@ -60,7 +61,7 @@ class OutlinePiece {
     bool clamped_;
 };
 
-/// Where a part ends.
+/// Returns the end of a part.
 SectionPoint end_of(const OutlinePart& part);
 
 }  // namespace contactd::geometry

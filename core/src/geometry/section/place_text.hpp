@@ -1,4 +1,4 @@
-// Coordinates as they stand in an error message.
+// Formats coordinates for an error message.
 #pragma once
 
 #include <charconv>
@@ -9,7 +9,7 @@
 
 namespace contactd::geometry {
 
-/// "(y, z) = (1.5, -60)", to seven digits, and none of rounding.
+/// Returns "(y, z) = (1.5, -60)", to seven digits, without rounding errors.
 inline std::string place_text(const SectionPoint& point) {
     const double least = 1e-10 * (std::abs(point.y) + std::abs(point.z));
     const auto digits = [&](double value) {

@@ -1,4 +1,4 @@
-// Sections below the profile of a rail or above that of a wheel.
+// Makes sections below the profile of a rail or above that of a wheel.
 #include <algorithm>
 #include <vector>
 
@@ -12,13 +12,14 @@
 namespace contactd::geometry {
 namespace {
 
-// The profile's curve between its kinks, in the order of travel: a rail's as it is, a wheel's from its other end.
+// Describes the profile's curve between its kinks, in the order of travel: a rail's as it is, a wheel's from its other
+// end.
 struct Surface {
     SectionPoint start;
     std::vector<OutlinePart> parts;
     std::size_t part_at_origin = 0;
-    double from_origin = 0;         // of the point with y = 0 from the beginning of its part
-    double before = 0, behind = 0;  // along all of it, from y = 0
+    double from_origin = 0;         // distance of the point with y = 0 from the beginning of its part
+    double before = 0, behind = 0;  // lengths of the whole curve before and behind y = 0
 
     Surface(const ProfileCurve& curve, bool reversed) {
         const auto& points = curve.points();
@@ -57,7 +58,7 @@ Profile profile_of(const ProfileSection& section, const std::string& field) {
     return below(field, [&] { return make_profile(section.profile); });
 }
 
-// The sides and the cut are no profile any more.
+// Checks that strips begin on the profile, not on the sides or the cut.
 void check_from(const Surface& surface, double from, const std::string& field) {
     if (from >= -surface.before && from < surface.behind) return;
     throw InvalidArgument(field, "is " + number_text(from) + "; strips must begin on the profile, which reaches from " +
@@ -65,7 +66,7 @@ void check_from(const Surface& surface, double from, const std::string& field) {
                                      " mm along its curve, measured from y = 0");
 }
 
-// Upright sides from the ends of the surface to a level cut.
+// Adds vertical sides from the ends of the surface to a level cut.
 OutlineSection with_cut(Surface surface, double z, double from) {
     const SectionPoint begin = surface.start, end = std::get<SplineTo>(surface.parts.back().curve).through.back();
     Outline outline{begin, std::move(surface.parts)};

@@ -1,4 +1,5 @@
-// The rail 60E1 (EN 13674-1). Its head ends below in straight lines to the web; fillets of web and foot are left out.
+// Makes the rail 60E1 (EN 13674-1). Its head ends below in straight lines to the web; fillets of web and foot are
+// omitted.
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -9,7 +10,7 @@
 namespace contactd::geometry {
 namespace {
 
-// From the crown outwards on the side of +y: arcs that touch each other, then straight lines.
+// Describes one half from the crown outwards on the side of +y: arcs that touch each other, then straight lines.
 struct HalfRail {
     static constexpr double crown_width = 10.2, shoulder_width = 26.05;  // y where R300 and R80 end (mm)
     static constexpr double side_length = 23, under_head = 20, under_slope = 1 / 2.75;
@@ -34,7 +35,7 @@ struct HalfRail {
                                         {LineTo{neck}},
                                         {LineTo{{half_web, -cut_depth}}}};
         if (support == RailSupport::foot) {
-            // Slopes of 1:2.75 at the web and 1:14 at the edge meet half way.
+            // Slopes of 1:2.75 at the web and 1:14 at the edge meet half-way.
             const double edge = foot_edge - rail_height, middle = half_foot / 2;
             const double bend = edge + (half_foot - middle) / 14;
             const double top = bend + (middle - half_web) * under_slope;
@@ -50,7 +51,7 @@ SectionPoint mirrored(const SectionPoint& point) {
     return {-point.y, point.z};
 }
 
-// Returns the part on the other side, travelled the other way: it ends where this one begins.
+// Returns the part on the other side in the opposite direction: it ends where this one begins.
 OutlinePart mirrored(const OutlinePart& part, const SectionPoint& begin) {
     if (const auto* arc = std::get_if<ArcTo>(&part.curve)) return {ArcTo{mirrored(begin), arc->radius}};
     return {LineTo{mirrored(begin)}};

@@ -6,7 +6,7 @@
 namespace contactd::geometry {
 namespace {
 
-// Larger by a factor, then turned about the origin.
+// Scales by a factor, then rotates about the origin.
 class Transformation {
    public:
     Transformation(double size, double turn) : size_(size), c_(size * std::cos(turn)), s_(size * std::sin(turn)) {}

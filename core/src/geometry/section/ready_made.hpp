@@ -1,4 +1,4 @@
-// Ready-made sections as outlines.
+// Converts ready-made sections to outlines.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace contactd::geometry {
 
-/// The outline of a section with its size and turn, its strips together `width` wide along the outline (mm). Throws
-/// InvalidArgument below `field` when a profile does not fit its section.
+/// Returns the outline of a section with its size and rotation, whose strips are together `width` wide along the
+/// outline (mm). Throws InvalidArgument below `field` if a profile does not fit its section.
 OutlineSection outline_of(const Section& section, double width, const std::string& field);
 
-/// Returns the outline of the shape alone, as large as its numbers say and not rotated.
+/// Return the outline of the shape alone, without scale and rotation.
 OutlineSection outline_of(const RailSection& rail, double width);
 OutlineSection outline_of(const WheelRimSection& rim, double width, const std::string& field);
 OutlineSection outline_of(const ProfileSection& section, double width, const std::string& field);

@@ -12,8 +12,8 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a strip: ends may miss a corner by as much
-constexpr int looks = 8;           // at the curvature of a strip
+constexpr double rounding = 1e-9;  // of a strip: ends may miss a corner by this
+constexpr int looks = 8;           // evaluations of the curvature of a strip
 
 void check_numbers(int strips, double ds, const std::string& field) {
     if (strips < 1 || strips > most_strips)
@@ -28,7 +28,7 @@ std::string degrees(double angle) {
     return short_text(std::abs(angle) * 180 / std::numbers::pi) + " degrees";
 }
 
-// Each finds one kind of mistake.
+// Checks strips; each function finds one kind of mistake.
 class StripCheck {
    public:
     StripCheck(const SectionGeometry& section, const std::string& field)
@@ -74,8 +74,8 @@ class StripCheck {
             }
     }
 
-    /// `from` is counted along the curve from where a part begins, `way` to the first strip: `given` is what the
-    /// section says, in a field of that name.
+    /// Checks the way to the first strip. `from` is counted along the curve from the start of a part. `given` is the
+    /// value in the section, in a field of that name.
     void way(const OutlineSection& outline, const std::string& name, double given) const {
         const auto refuse = [&](const std::string& problem) {
             throw InvalidArgument(field_ + "." + name, "is " + number_text(given) + "; " + problem);
@@ -97,7 +97,7 @@ class StripCheck {
     }
 
    private:
-    // With the arc lengths of its ends; at most twice, where strips pass the start of the curve.
+    // Visits pieces with the arc lengths of their ends, at most twice, if strips pass the start of the curve.
     template <class Visit>
     void for_each_piece(const Visit& visit) const {
         for (const double lap : {0.0, curve_.length()})
@@ -126,10 +126,10 @@ class StripCheck {
     const SectionGeometry& section_;
     const ClosedCurve& curve_;
     const std::string field_;
-    const double begin_, end_;  // of all strips, but for rounding
+    const double begin_, end_;  // of all strips, except for rounding
 };
 
-/// Where a section says itself where its strips begin.
+/// Describes a field of the section that states where strips begin.
 struct StatedFrom {
     const char* name = nullptr;
     double value = 0;
@@ -159,7 +159,7 @@ SectionGeometry::SectionGeometry(const Section& section, int strips, double ds, 
     }
     check_outlines(curves_, names);
     carrier_ = outline.carrier;
-    // A strip that begins at a corner but for rounding begins there.
+    // A strip that begins at a corner, except for rounding, begins exactly there.
     const double first = carrier().reduced(carrier().begin_of(outline.part) + outline.from);
     first_ = carrier().length() - first < rounding * ds ? 0 : first;
     const StripCheck check(*this, field);

@@ -18,7 +18,7 @@ OutlinePart arc(double y, double z, double radius) {
     return {ArcTo{{y, z}, radius}};
 }
 
-// From -radius on over the top and below back, or as a hole below and over the top back.
+// Returns a circle from -radius over the top and back below; as a hole, it runs below first and back over the top.
 Outline circle(double radius, bool clamped) {
     return {{-radius, 0}, {{ArcTo{{radius, 0}, radius}, clamped}, {ArcTo{{-radius, 0}, radius}, clamped}}};
 }
