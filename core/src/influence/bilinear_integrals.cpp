@@ -1,7 +1,7 @@
 // The hat function is 1/h times the box convolved with the box, so an integral over it along one axis is 1/h times the
 // second central difference, step h, of the kernel's second antiderivative. Along each axis either that difference is
-// taken, or, where the kernel is smooth over the hat function and the difference would lose digits, Gauss's rule for
-// its weight.
+// used or, where the kernel is smooth over the hat function and the difference would lose digits, Gauss's rule for its
+// weight.
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -18,9 +18,9 @@ struct Stencil {
 };
 constexpr std::array<Stencil, 3> second_difference = {{{-1, 1}, {0, -2}, {1, 1}}};
 
-// How smooth the integrand is over the interval `at` +- `half` when it is singular at the complex points +-i `beside`:
-// E = (sum of the distances to both ends)/(2 half). An n-point Gauss rule errs by about (E + sqrt(E^2 - 1))^(-2n)
-// (Trefethen, Approximation Theory and Approximation Practice, theorem 19.3).
+// Returns how smooth the integrand is over the interval `at` +- `half` if it is singular at the complex points +-i
+// `beside`: E = (sum of the distances to both ends)/(2 half). An n-point Gauss rule has an error of about (E + sqrt(E^2
+// - 1))^(-2n) (Trefethen, Approximation Theory and Approximation Practice, theorem 19.3).
 double smoothness(double at, double beside, double half) {
     return (std::hypot(at - half, beside) + std::hypot(at + half, beside)) / (2 * half);
 }
@@ -39,19 +39,20 @@ KernelIntegrals axes_exchanged(const KernelIntegrals& k) {
     return {k.yy, k.xx, k.xy, k.y, k.x};
 }
 
-// y asinh(x/|y|) is y ln(x + rho) up to y ln|y|, and loses no digits for x < 0.
+// y asinh(x/|y|) equals y ln(x + rho) up to y ln|y|, and loses no digits for x < 0.
 double y_log(double x, double y) {
     if (std::abs(y) <= 1e-200 * std::abs(x)) return 0;
     return y * std::asinh(x / std::abs(y));
 }
 
-// Antiderivatives, twice in x and twice in y, of the kernels; terms that are of degree one in x or in y are left out.
+// Returns antiderivatives, twice in x and twice in y, of the kernels; terms that are of degree one in x or in y are
+// omitted.
 KernelIntegrals fourfold_antiderivatives(double x, double y) {
     const double rho = std::hypot(x, y);
     if (rho == 0) return {};
     const double xx = x * x, yy = y * y, ln_rho = std::log(rho);
     const double of_x = y_log(x, y), of_y = y_log(y, x);
-    // Where a quotient is infinite its angle is multiplied by zero.
+    // Where a quotient is infinite, its angle is multiplied by zero.
     const double to_y = x == 0 ? 0 : std::atan(y / x), to_x = y == 0 ? 0 : std::atan(x / y);
     KernelIntegrals k;
     k.xx = 0.5 * x * y * of_x + rho * (xx - 2 * yy) / 6;
@@ -62,14 +63,14 @@ KernelIntegrals fourfold_antiderivatives(double x, double y) {
     return k;
 }
 
-// Antiderivatives, twice in x, of the kernels, for x >= 0 or y > 0; terms linear in x are left out.
+// Returns antiderivatives, twice in x, of the kernels, for x >= 0 or y > 0; terms linear in x are omitted.
 KernelIntegrals twofold_antiderivatives(double x, double y) {
     const double rho = std::hypot(x, y), ln_rho = std::log(rho), angle = std::atan2(y, x);
     const double ln_sum = x >= 0 ? std::log(x + rho) : std::log(y * y / (rho - x));  // ln(x + rho)
     return {x * ln_sum - 2 * rho, rho, -y * ln_sum, x * ln_rho - y * angle, -x * angle - y * ln_rho};
 }
 
-// Differences along x, Gauss's rule along y.
+// Uses differences along x and Gauss's rule along y.
 template <class Rule>
 KernelIntegrals by_both(const Rule& rule, double x, double y, double dx, double dy) {
     KernelIntegrals sum;
@@ -80,8 +81,8 @@ KernelIntegrals by_both(const Rule& rule, double x, double y, double dx, double 
     return sum;
 }
 
-// Means, weighted with the hat function around y, of the functions of Y that twofold_over_hat() must not sum at Gauss
-// points.
+// Holds means, weighted with the hat function around y, of the functions of Y that twofold_over_hat() must not sum at
+// Gauss points.
 struct NonSmoothMeans {
     double log = 0;    // ln|Y|
     double y_log = 0;  // Y ln|Y|
@@ -102,9 +103,9 @@ NonSmoothMeans non_smooth_means(double y, double dy) {
     return mean;
 }
 
-// Means, weighted with the hat function around y, of the kernels' second antiderivatives in x, for a corner where
-// smooth_enough. Other corners go by fourfold_antiderivatives(), so terms linear in x count: 5/6 and |Y| are those that
-// it implies.
+// Returns means, weighted with the hat function around y, of the kernels' second antiderivatives in x, for a corner
+// where smooth_enough. Other corners use fourfold_antiderivatives(), so terms linear in x matter: 5/6 and |Y| are those
+// that it implies.
 KernelIntegrals twofold_over_hat(double x, double y, double dy, const NonSmoothMeans& rest) {
     const double a = std::abs(x), sign = x < 0 ? -1 : 1, quarter_turn = std::numbers::pi / 2;
     KernelIntegrals mean{-a * rest.log, 0, sign * rest.y_log, sign * quarter_turn * rest.abs,
@@ -118,8 +119,8 @@ KernelIntegrals twofold_over_hat(double x, double y, double dy, const NonSmoothM
     return mean;
 }
 
-// Differences along x, dx >= dy, and along y as well unless the corner is so far from x = 0 that it would lose digits:
-// (x/dy)^2, a million for the longest elements.
+// Uses differences along x, dx >= dy, and along y as well, unless the corner is so far from x = 0 that this would lose
+// digits: (x/dy)^2, a million for the longest elements.
 KernelIntegrals by_differences(double x, double y, double dx, double dy) {
     KernelIntegrals sum;
     const NonSmoothMeans rest = non_smooth_means(y, dy);
@@ -135,14 +136,14 @@ KernelIntegrals by_differences(double x, double y, double dx, double dy) {
     return sum;
 }
 
-// Calls with the rule whose error is below rounding.
+// Calls with the rule whose error is below rounding errors.
 template <class Call>
 KernelIntegrals with_rule(double E, const Call& call) {
     return E > 150 ? call(hat3) : E > 16 ? call(hat5) : call(hat10);
 }
 
 KernelIntegrals unit_force(double x, double y, double dx, double dy) {
-    // The integrand of one axis is singular where the other axis meets the point: at the nearest point of the load.
+    // The integrand along one axis is singular where the other axis meets the point, at the nearest point of the load.
     const double along_x = smoothness(x, std::max(y - dy, 0.0), dx);
     const double along_y = smoothness(y, std::max(x - dx, 0.0), dy);
     const bool smooth_x = along_x > smooth_enough, smooth_y = along_y > smooth_enough;

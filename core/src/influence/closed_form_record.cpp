@@ -12,7 +12,7 @@
 namespace contactd {
 
 IcRecord closed_form_record(const IcSpec& spec, const Observer& observer) {
-    (void)strip_frames(spec);  // refuses a bad section in the lengths of the request
+    (void)strip_frames(spec);  // It refuses an invalid section in the lengths of the request.
     IcRecord record;
     record.spec = dimensionless(spec);
     const IcSpec& scaled = record.spec;

@@ -1,11 +1,11 @@
-// Interpolation between four neighbours.
+// Interpolates between four neighbours.
 #pragma once
 
 #include <array>
 
 namespace contactd {
 
-/// Lagrange's cubic through the nodes -1, 0, 1, 2.
+/// Returns the weights of Lagrange's cubic through the nodes -1, 0, 1, 2.
 inline std::array<double, 4> cubic_weights(double t) {
     return {-t * (t - 1) * (t - 2) / 6, (t + 1) * (t - 1) * (t - 2) / 2, -(t + 1) * t * (t - 2) / 2,
             (t + 1) * t * (t - 1) / 6};

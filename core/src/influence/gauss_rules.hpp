@@ -1,5 +1,5 @@
-// Gauss's rules on [-1, 1] whose weights sum to one: for the mean over an interval, and for the mean weighted with a
-// hat function, 1 - |t|. A rule of n points is exact for polynomials of degree 2n - 1.
+// Defines Gauss's rules on [-1, 1] whose weights sum to one, for the mean over an interval, and for the mean weighted
+// with a hat function, 1 - |t|. A rule of n points is exact for polynomials of degree 2n - 1.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct GaussPoint {
 template <std::size_t n>
 using GaussRule = std::array<GaussPoint, n>;
 
-/// The whole rule from its nodes >= 0, ascending.
+/// Returns the whole rule from its nodes >= 0, ascending.
 template <std::size_t n>
 constexpr GaussRule<n> symmetric(const GaussRule<(n + 1) / 2>& half) {
     GaussRule<n> rule{};

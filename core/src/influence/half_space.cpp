@@ -18,7 +18,7 @@ KernelIntegrals integrals_at(const IcSpec& spec, double x, double y) {
     return (is_bilinear ? bilinear_load_integrals : constant_load_integrals)(x, y, spec.dx, spec.dy);
 }
 
-// Displacement along i for a load along j, times G.
+// Returns the displacement along i for a load along j, times G.
 double scaled_coefficient(Axis i, Axis j, const KernelIntegrals& k, double nu) {
     using std::numbers::pi;
     if (i == Axis::z && j == Axis::z) return (1 - nu) * (k.xx + k.yy) / (2 * pi);
@@ -44,7 +44,7 @@ IcTable closed_form(const IcSpec& spec, const Observer& observer = {}) {
     return table;
 }
 
-// `unit`: what errors are relative to, of the same sign everywhere.
+// Returns the error; `unit` is the scale of errors, of the same sign everywhere.
 ComponentError relative_error(const IcTable& table, const IcTable& exact, const IcTable& unit, Axis i) {
     ComponentError error;
     error.origin = table(i, i, 0, 0) / exact(i, i, 0, 0) - 1;

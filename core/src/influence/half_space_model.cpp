@@ -15,14 +15,14 @@ using Vector = Eigen::VectorXd;
 
 constexpr int fitted = 4;  // offsets 0..3 along both axes
 
-// k^of_k l^of_l
+// Represents k^of_k l^of_l.
 struct Monomial {
     int of_k, of_l;
     double at(int k, int l) const { return std::pow(k, of_k) * std::pow(l, of_l); }
 };
 
-// Up to the fourth degree, with the parity of the component, as far as there are offsets enough to tell them from the
-// singularity.
+// Returns monomials up to the fourth degree, with the parity of the component, if there are enough offsets to
+// distinguish them from the singularity.
 std::vector<Monomial> monomials(Parity parity, int nx, int ny) {
     const auto highest = [](int n) { return n < 3 ? 0 : n < 4 ? 2 : 4; };
     std::vector<Monomial> result;
@@ -38,7 +38,8 @@ struct Fit {
     double residual;
 };
 
-// Columns differ by orders of magnitude, and tables of one row leave some of them undetermined.
+// Columns are scaled, because they differ by orders of magnitude, and tables of one row leave some of them
+// undetermined.
 Fit least_squares(Matrix matrix, const Vector& values) {
     Vector scale = matrix.colwise().norm().cwiseMax(1e-300);
     matrix = matrix * scale.cwiseInverse().asDiagonal();
@@ -52,7 +53,7 @@ struct Component {
     Axis i, j;
 };
 
-// Unknowns are the parameters of the model, one by one, and a polynomial for each component.
+// The unknowns are the parameters of the model, and a polynomial for each component.
 template <std::size_t parameters, std::size_t n>
 Fit fit(const IcTable& pair, double dx, double dy, const std::array<HalfSpaceModel, parameters>& models,
         const std::array<Component, n>& components) {
@@ -76,7 +77,8 @@ Fit fit(const IcTable& pair, double dx, double dy, const std::array<HalfSpaceMod
                     matrix(row, static_cast<Eigen::Index>(m)) = models[m].coefficient(i, j, integrals);
                 for (const Monomial& monomial : polynomials[c]) matrix(row, column++) = monomial.at(k, l);
                 values(row) = pair(i, j, k, l);
-                const double weight = 1 / std::pow(1 + k * k + l * l, 2);  // near the origin the polynomial is good
+                // The polynomial is accurate near the origin.
+                const double weight = 1 / std::pow(1 + k * k + l * l, 2);
                 matrix.row(row) *= weight;
                 values(row) *= weight;
             }
@@ -103,7 +105,7 @@ HalfSpaceModel::HalfSpaceModel(const HalfSpaces& half_spaces)
     const auto& [upper, lower] = half_spaces.bodies;
     a = (1 - upper.nu) / upper.G + (1 - lower.nu) / lower.G;
     b = upper.nu / upper.G + lower.nu / lower.G;
-    // Rounding must not couple bodies that are not.
+    // Rounding errors must not couple quasi-identical bodies.
     if (!half_spaces.bodies.quasi_identical()) c = (1 - 2 * lower.nu) / lower.G - (1 - 2 * upper.nu) / upper.G;
 }
 

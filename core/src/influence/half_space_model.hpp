@@ -1,4 +1,4 @@
-// All that the tangential displacements of a pair of half-spaces depend on.
+// Holds the parameters on which the tangential displacements of a pair of half-spaces depend.
 #pragma once
 
 #include <numbers>
@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-/// Sums over the bodies (difference lower - upper of the coupling).
+/// Holds sums over the bodies, and for the coupling the difference lower - upper.
 struct HalfSpaceModel {
     double a = 0;  ///< (1-nu)/G
     double b = 0;  ///< nu/G
@@ -23,7 +23,7 @@ struct HalfSpaceModel {
 
     bool coupled() const { return c != 0; }
 
-    /// A[i,j] of the pair, i = x or y.
+    /// Returns A[i,j] of the pair, i = x or y.
     double coefficient(Axis i, Axis j, const KernelIntegrals& k) const {
         using std::numbers::pi;
         if (j == Axis::z) return c * (i == Axis::x ? k.x : k.y) / (4 * pi);
@@ -38,8 +38,8 @@ struct HalfSpaceModel {
     }
 };
 
-/// The half-spaces whose coefficients are as singular under the load as those of `pair`: near the origin the difference
-/// is a polynomial.
+/// Returns the half-spaces whose coefficients have the same singularity under the load as those of `pair`. Near the
+/// origin the difference is a polynomial.
 HalfSpaceModel nearest_half_spaces(const IcTable& pair, double dx, double dy);
 
 }  // namespace contactd

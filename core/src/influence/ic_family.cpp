@@ -42,7 +42,7 @@ std::vector<double> half_points(const Half& half, int n) {
     std::vector<double> points(static_cast<std::size_t>(n));
     for (int j = 0; j < n; ++j) {
         const double sine = std::sin(std::numbers::pi / 2 * (static_cast<double>(j) / (n - 1)));
-        // (1 - cos)/2 without its cancellation
+        // This is (1 - cos)/2 without its cancellation.
         points[static_cast<std::size_t>(j)] = half.from + (half.to - half.from) * sine * sine;
     }
     points.back() = half.to;
@@ -56,8 +56,8 @@ Tables tables_of(const std::vector<IcTable>& family, bool upper) {
     return Tables(family).subspan(upper ? n : 0, n);
 }
 
-// Weights of the values at half_points(half, n) in the polynomial's value at nu: the barycentric formula (Trefethen,
-// theorem 5.2).
+// Returns weights of the values at half_points(half, n) in the polynomial's value at nu, by the barycentric formula
+// (Trefethen, theorem 5.2).
 std::vector<double> interpolation_weights(const Half& half, std::size_t n, double nu) {
     const std::vector<double> points = half_points(half, static_cast<int>(n));
     std::vector<double> weights(points.size());
@@ -76,14 +76,14 @@ std::vector<double> interpolation_weights(const Half& half, std::size_t n, doubl
     return weights;
 }
 
-// Weights of the values at half_points(half, n) in the polynomial's Chebyshev coefficient of degree k (Trefethen,
-// chapter 3).
+// Returns weights of the values at half_points(half, n) in the polynomial's Chebyshev coefficient of degree k
+// (Trefethen, chapter 3).
 std::vector<double> coefficient_weights(int n, int k) {
     const int degree = n - 1;
     std::vector<double> weights(static_cast<std::size_t>(n));
     for (int j = 0; j < n; ++j) {
         const bool end = j == 0 || j == degree;
-        // Ascending points: point j is number degree - j of the cosines.
+        // Points ascend: point j is number degree - j of the cosines.
         const double angle = std::numbers::pi * k * (degree - j) / degree;
         weights[static_cast<std::size_t>(j)] = std::cos(angle) * (end ? 1 : 2) / degree;
     }
@@ -109,10 +109,10 @@ IcTable weighted_sum(Tables family, const std::vector<double>& weights) {
     return result;
 }
 
-// The largest of the coefficients in the measures of a table's errors.
+// Returns the largest of the coefficients in the measures of a table's errors.
 double largest(const IcSpec& spec, Tables family, const IcTable& coefficient) {
     double result = 0;
-    IcSpec stiffest = spec;  // the half-space's coefficients fall with nu
+    IcSpec stiffest = spec;  // The half-space's coefficients decrease with nu.
     stiffest.material = {1, largest_family_nu};
     std::vector<IcTable> units;
     for (const IcTable& table : family) units.push_back(error_unit(stiffest, table));
@@ -135,11 +135,11 @@ double largest(const IcSpec& spec, Tables family, const IcTable& coefficient) {
     return result;
 }
 
-// The coefficients a_k of a function that is analytic around the interval fall as q^k, and the interpolant of degree N
-// misses it by at most 2 (|a_N+1| + |a_N+2| + ...), that is, by 2 |a_N| q/(1 - q). Those of the interpolant hold the
-// ones beyond N folded back, c_N = a_N and c_N-1 = a_N-1 + a_N+1, so their ratio is q/(1 + q^2) (Trefethen, chapter 4).
-// q is never taken below 1/2, lest a small last coefficient be luck, nor above 4/5: locking finite elements have a pole
-// at nu = 1/2, q = 0.75.
+// The coefficients a_k of a function that is analytic around the interval decay as q^k, and the error of the
+// interpolant of degree N is at most 2 (|a_N+1| + |a_N+2| + ...), that is, 2 |a_N| q/(1 - q). The coefficients of the
+// interpolant include those beyond N folded back, c_N = a_N and c_N-1 = a_N-1 + a_N+1, so their ratio is q/(1 + q^2)
+// (Trefethen, chapter 4). q is at least 1/2, because a small last coefficient may be chance, and at most 4/5: locking
+// finite elements have a pole at nu = 1/2, q = 0.75.
 double decay(double last, double before) {
     constexpr double fastest = 0.5, slowest = 0.8;
     const double ratio = last / before;

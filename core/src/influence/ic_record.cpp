@@ -24,7 +24,7 @@ IcExtent extent(const StripTable& table) {
     return {table.nx, table.strips};
 }
 
-/// A spectrum has as many offsets as any grid.
+/// A spectrum serves as many offsets as any grid has.
 IcExtent extent(const StripSpectrum& spectrum) {
     return {static_cast<int>(max_grid_elements) / spectrum.strips, spectrum.strips};
 }
@@ -82,13 +82,13 @@ StripTable part_of(const StripTable& table, const IcRecord&, const IcSpec& reque
 StripTable part_of(const StripSpectrum& spectrum, const IcRecord&, const IcSpec& request, double, int threads,
                    const Observer& observer) {
     require_strips(spectrum.strips, request);
-    constexpr std::size_t most_values = 50'000'000;  // of each of nine components: 3.6 GB
+    constexpr std::size_t most_values = 50'000'000;  // limit of each of nine components: 3.6 GB in total
     if (static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) >
         most_values / static_cast<std::size_t>(request.ny))
         throw InvalidArgument(
             "grid.nx", "is " + std::to_string(request.nx) + ", with ny " + std::to_string(request.ny) +
                            "; nx ny^2 of a longitudinally uniform body must not exceed " + std::to_string(most_values));
-    constexpr std::size_t worth_a_thread = 1'000'000;  // coefficients, some ten milliseconds
+    constexpr std::size_t worth_a_thread = 1'000'000;  // coefficients, which take about ten milliseconds
     const std::size_t values = 9 * static_cast<std::size_t>(request.nx) * static_cast<std::size_t>(request.ny) *
                                static_cast<std::size_t>(request.ny);
     threads = static_cast<int>(std::clamp<std::size_t>(values / worth_a_thread, 1, std::max(threads, 1)));
@@ -124,11 +124,12 @@ BodyTable body_table(const IcRecord& record, const IcSpec& request, int threads,
 
 IcTable table_for(const IcRecord& record, const IcSpec& request, int threads, const Observer& observer) {
     BodyTable found = body_table(record, request, threads, observer);
-    const bool is_known = std::holds_alternative<StripSpectrum>(record.tables);  // to be finite, by strip_table
+    // strip_table has checked that they are finite.
+    const bool is_known = std::holds_alternative<StripSpectrum>(record.tables);
     if (!is_known && !std::visit([](const auto& table) { return all_finite(table.values); }, found))
         throw NotFinite("Coefficients of the table exceed the range of a double.");
     if (auto* strips = std::get_if<StripTable>(&found)) {
-        IcTable table;  // the same numbers in the same order, a pair of strips being a row
+        IcTable table;  // It has the same numbers in the same order; a pair of strips is a row.
         table.nx = strips->nx;
         table.ny = strips->strips * strips->strips;
         table.values = std::move(strips->values);

@@ -7,7 +7,7 @@
 namespace contactd {
 namespace {
 
-// y ln(x + rho) up to y ln|y|, which drops out of differences in x; asinh loses no digits for x < 0.
+// Returns y ln(x + rho) up to y ln|y|, which cancels in differences in x; asinh loses no digits for x < 0.
 double y_log(double x, double y) {
     if (std::abs(y) <= 1e-200 * std::abs(x)) return 0;
     return y * std::asinh(x / std::abs(y));
@@ -20,7 +20,7 @@ double product_with_atan(double x, double y) {
     return x == 0 ? 0 : x * std::atan(y / x);
 }
 
-// Differences of the antiderivatives between the four corners.
+// Returns differences of the antiderivatives between the four corners.
 KernelIntegrals by_antiderivatives(double x, double y, double dx, double dy) {
     KernelIntegrals sum;
     for (const int sx : {-1, 1})
@@ -37,7 +37,8 @@ KernelIntegrals by_antiderivatives(double x, double y, double dx, double dy) {
 }
 
 // The differences of antiderivatives lose digits as (rho/size)^2. Far away, where the kernels are smooth over the
-// rectangle, Gauss's rule does not; its error falls as (4 rho/size)^(-2n), below rounding for the limits chosen.
+// rectangle, Gauss's rule is better. Its error decreases as (4 rho/size)^(-2n), and is below rounding errors for the
+// chosen limits.
 KernelIntegrals unit_force(double x, double y, double dx, double dy) {
     const double distance = std::hypot(x, y) / std::max(dx, dy);
     return distance > 100 ? gauss_mean(legendre3, legendre3, x, y, 0.5 * dx, 0.5 * dy)

@@ -1,11 +1,12 @@
-// Integrals of the functions that the surface displacements of the half-space are made of, over a load of either shape.
+// Computes integrals of the functions that make up the surface displacements of the half-space, over a load of either
+// shape.
 #pragma once
 
 #include <cmath>
 
 namespace contactd {
 
-/// Integrals of the kernel at (x, y) - (point of the load), times the traction there; that of 1/rho is xx + yy.
+/// Holds integrals of the kernel at (x, y) - (point of the load), times the traction there; that of 1/rho is xx + yy.
 struct KernelIntegrals {
     double xx = 0;  ///< x^2/rho^3
     double yy = 0;  ///< y^2/rho^3
@@ -14,20 +15,21 @@ struct KernelIntegrals {
     double y = 0;   ///< y/rho^2
 };
 
-/// Constant load, 1 on the rectangle dx x dy centred at the origin.
+/// Returns the integrals for a constant load, 1 on the rectangle dx x dy centred at the origin.
 KernelIntegrals constant_load_integrals(double x, double y, double dx, double dy);
-/// Antiderivatives in x and y; `x` and `y` of the result, which only coupling needs, are left out unless `coupled`.
+/// Returns antiderivatives in x and y; `x` and `y` of the result, which only coupling needs, are omitted unless
+/// `coupled`.
 KernelIntegrals corner_antiderivatives(double x, double y, bool coupled);
-/// Bilinear load, (1 - |x|/dx)(1 - |y|/dy).
+/// Returns the integrals for a bilinear load, (1 - |x|/dx)(1 - |y|/dy).
 KernelIntegrals bilinear_load_integrals(double x, double y, double dx, double dy);
 
-/// Loads that reach from -infinity to infinity along y, at x; logarithms are those of lengths over `datum`. With yy =
-/// -2 ln, x = pi sign and zeros the coefficients of a half-space are those of plane and anti-plane strain (Johnson,
-/// chapter 2): (1-nu)/(pi G) ln(datum/|x|) for xx and zz, 1/(pi G) ln(datum/|x|) for yy.
+/// Return the integrals for loads from -infinity to infinity along y, at x; logarithms are those of lengths over
+/// `datum`. With yy = -2 ln, x = pi sign and zeros, the coefficients of a half-space are those of plane and anti-plane
+/// strain (Johnson, chapter 2): (1-nu)/(pi G) ln(datum/|x|) for xx and zz, 1/(pi G) ln(datum/|x|) for yy.
 KernelIntegrals constant_line_integrals(double x, double dx, double datum);
 KernelIntegrals bilinear_line_integrals(double x, double dx, double datum);
 
-/// Mean over the product of two Gauss rules on (x +- half_x) x (y +- half_y).
+/// Returns the mean over the product of two Gauss rules on (x +- half_x) x (y +- half_y).
 template <class RuleX, class RuleY>
 KernelIntegrals gauss_mean(const RuleX& rule_x, const RuleY& rule_y, double x, double y, double half_x, double half_y) {
     KernelIntegrals sum;
@@ -46,8 +48,8 @@ KernelIntegrals gauss_mean(const RuleX& rule_x, const RuleY& rule_y, double x, d
     return sum;
 }
 
-/// The integrals are homogeneous of degree one and even or odd: `at(|x|, |y|, dx, dy)` is called with lengths over
-/// sqrt(dx dy) and must return them for a unit force (dx dy = 1). Those that are odd are exactly zero on the axes.
+/// Uses that the integrals are homogeneous of degree one and even or odd: `at(|x|, |y|, dx, dy)` is called with lengths
+/// over sqrt(dx dy) and must return them for a unit force (dx dy = 1). Odd ones are exactly zero on the axes.
 template <class Function>
 KernelIntegrals by_symmetry(const Function& at, double x, double y, double dx, double dy) {
     const double scale = std::sqrt(dx) * std::sqrt(dy);

@@ -6,7 +6,7 @@
 namespace contactd {
 namespace {
 
-// Differences of antiderivatives lose digits with the distance; from here on (in elements) a series does not.
+// Differences of antiderivatives lose digits with the distance. From this distance on (in elements), a series does not.
 constexpr double far = 8;
 constexpr int terms = 10;
 
@@ -14,7 +14,8 @@ double times_log(double factor, double x) {
     return x != 0 ? factor * std::log(std::abs(x)) : 0;
 }
 
-// Mean of ln|1 - s/x| over the load: -sum of <s^2n>/(2n x^2n), `moment(2n)` = <s^2n> over (dx/2)^2n or dx^2n.
+// Returns the mean of ln|1 - s/x| over the load: -sum of <s^2n>/(2n x^2n), with `moment(2n)` = <s^2n> over (dx/2)^2n or
+// dx^2n.
 template <class Moment>
 double far_log(double ratio, const Moment& moment) {
     double sum = 0, power = 1;
@@ -25,7 +26,7 @@ double far_log(double ratio, const Moment& moment) {
     return sum;
 }
 
-// From the means over the load, of force dx.
+// Returns the integrals from the means over the load, of force dx.
 KernelIntegrals from_means(double log, double sign, double dx) {
     KernelIntegrals result;
     result.yy = -2 * dx * log;

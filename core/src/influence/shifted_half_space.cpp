@@ -1,5 +1,5 @@
-// The closed form on a lattice of points: neighbouring rectangles share their corners, so the logarithms and angles of
-// the antiderivatives are computed once a corner.
+// Computes the closed form on a lattice of points. Neighbouring rectangles share their corners, so the logarithms and
+// angles of the antiderivatives are computed once per corner.
 #include "shifted_half_space.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 namespace contactd {
 namespace {
 
-// Differences of a (at +) and b (at -) along one axis.
+// Returns differences of a (at +) and b (at -) along one axis.
 KernelIntegrals minus(const KernelIntegrals& a, const KernelIntegrals& b) {
     return {a.xx - b.xx, a.yy - b.yy, a.xy - b.xy, a.x - b.x, a.y - b.y};
 }
@@ -21,7 +21,7 @@ KernelIntegrals times(double factor, const KernelIntegrals& k) {
     return {factor * k.xx, factor * k.yy, factor * k.xy, factor * k.x, factor * k.y};
 }
 
-// Constant loads; lengths over sqrt(dx dy), so that the force is one.
+// Computes integrals for constant loads, with lengths over sqrt(dx dy), so that the force is one.
 class CornerLattice {
    public:
     CornerLattice(const Lattice& points, bool coupled) : points_(points), coupled_(coupled) {
@@ -33,7 +33,7 @@ class CornerLattice {
         fill(upper_, points.first_l);
     }
 
-    // Call in order of rising l, from first_l on: integrals of the points of row l.
+    // Returns integrals of the points of row l. Call it in order of increasing l, from first_l on.
     void next_row(int l, std::vector<KernelIntegrals>& row) {
         std::swap(lower_, upper_);
         fill(upper_, l + 1);

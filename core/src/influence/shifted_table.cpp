@@ -20,7 +20,7 @@ struct Component {
 };
 constexpr std::array<Component, 6> components = {{{x, x}, {y, y}, {x, y}, {y, x}, {x, z}, {y, z}}};
 
-// A shift in elements along one axis.
+// Describes a shift in elements along one axis.
 struct Steps {
     int whole;
     double fraction;  // 0 <= fraction < 1
@@ -36,7 +36,7 @@ struct Steps {
 };
 
 void check_shift(double shift, double size, const char* field) {
-    // Beyond this, offsets are no integers any more.
+    // Larger offsets are not exact integers.
     if (!(std::abs(shift / size) < 1e6))
         throw InvalidArgument(
             field, "is " + number_text(shift) + "; it must be less than a million elements of " + number_text(size));
@@ -49,7 +49,7 @@ void check_extent(int table_nx, int table_ny, int nx, int ny) {
                                           std::to_string(table_ny));
 }
 
-// Parity is left when the shift along an axis is zero: half of the offsets follow from the others.
+// Sets offsets by parity along an axis without shift: half of them follow from the others.
 void mirror(ShiftedTable& table, bool along_x, bool along_y) {
     for (const auto& [i, j] : components) {
         const auto [of_x, of_y] = parity(i, j);
@@ -75,14 +75,14 @@ ShiftedTable closed_form(const HalfSpaceModel& model, const Grid& grid, const St
     return table;
 }
 
-// Table minus closed form at any whole offset: by parity where offsets are negative, extrapolated where they are beyond
-// the table.
+// Computes the table minus the closed form at any whole offset, by parity where offsets are negative, and extrapolated
+// where they are beyond the table.
 class Difference {
    public:
     Difference(const IcTable& pair, const HalfSpaceModel& model, const Grid& grid)
         : pair_(pair), model_(model), dx_(grid.dx), dy_(grid.dy) {}
 
-    /// The values at all offsets of the table.
+    /// Computes the values at all offsets of the table.
     void compute_all(const Observer& observer) {
         values_ = pair_;
         const Lattice lattice{dx_, dy_, 0, pair_.nx - 1, 0, pair_.ny - 1, 0, 0};
@@ -115,8 +115,9 @@ class Difference {
         if (!values_.values.empty()) return values_(i, j, k, l);
         return pair_(i, j, k, l) - model_.coefficient(i, j, model_.integrals(k * dx_, l * dy_, dx_, dy_));
     }
-    // Along a line that passes the origin at the distance `beside`, (t - t1)/(t1 - t2) of t = 1/rho at the offset n and
-    // at the last two of the table. Far beyond the end there is nothing to go by, only a bound.
+    // Returns (t - t1)/(t1 - t2) of t = 1/rho at the offset n and at the last two of the table, along a line that
+    // passes the origin at the distance `beside`. Far beyond the end, extrapolation is unreliable, so the result is
+    // bounded.
     static double ratio(int n, int end, double size, double beside) {
         constexpr double most = 8;
         const auto rho = [&](int offset) { return std::hypot(offset * size, beside); };
@@ -131,7 +132,7 @@ class Difference {
     IcTable values_;
 };
 
-// Adds the difference, interpolated at (k + along_x, l + along_y): first along x on all lines needed, then along y.
+// Adds the difference, interpolated at (k + along_x, l + along_y): first along x on all required lines, then along y.
 void add_interpolated(const Difference& difference, const Component& component, const Steps& along_x,
                       const Steps& along_y, ShiftedTable& table) {
     const auto weights_x = cubic_weights(along_x.fraction), weights_y = cubic_weights(along_y.fraction);
@@ -157,7 +158,7 @@ void add_interpolated(const Difference& difference, const Component& component, 
         }
 }
 
-// The table's own numbers as far as it goes.
+// Uses the table's own numbers as far as available.
 ShiftedTable shifted_by_elements(const IcTable& pair, const HalfSpaceModel& model, const Grid& grid,
                                  const Steps& along_x, const Steps& along_y, const Observer& observer) {
     ShiftedTable table(grid.nx, grid.ny);

@@ -1,5 +1,4 @@
-// Influence coefficients at points that lie some distance away from the element centres: where particles that roll
-// were.
+// Computes influence coefficients at points some distance away from the element centres, where rolling particles were.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +13,9 @@
 
 namespace contactd {
 
-/// A'[i,j](k,l) = A[i,j](k + shift_x/dx, l + shift_y/dy): tangential displacement i (mm) at the point that lies
-/// (shift_x, shift_y) from the centre of the element whose offset from the loaded one is (k,l), for a unit traction
-/// along j. Of the pair of bodies (see pair_of). There is no parity: offsets have both signs.
+/// Holds A'[i,j](k,l) = A[i,j](k + shift_x/dx, l + shift_y/dy) of the pair of bodies (see pair_of). It is the
+/// tangential displacement i (mm) at the point that lies (shift_x, shift_y) from the centre of the element whose offset
+/// from the loaded one is (k,l), for a unit traction along j. There is no parity: offsets have both signs.
 struct ShiftedTable {
     int nx = 0;                  ///< offsets -(nx-1)..nx-1 along x
     int ny = 0;                  ///< offsets -(ny-1)..ny-1 along y
@@ -37,40 +36,44 @@ struct ShiftedTable {
     double operator()(Axis i, Axis j, int k, int l) const { return values[index(i, j, k, l)]; }
 };
 
-/// The part for a grid of nx x ny elements. Throws InvalidArgument when the table is smaller.
+/// Returns the part for a grid of nx x ny elements. Throws InvalidArgument if the table is smaller.
 ShiftedTable cropped(const ShiftedTable& table, int nx, int ny);
 
-/// Two half-spaces under loads of one shape.
+/// Describes two half-spaces under loads of one shape.
 struct HalfSpaces {
     MaterialPair bodies;
     LoadShape load_shape = LoadShape::constant;
     std::optional<LineContactSpec> line_contact{};
 };
 
-/// Closed form. Of `grid` only the numbers and the sizes of the elements matter. Absolute accuracy 1e-13 (bilinear load
-/// 1e-12) of the largest coefficient. Throws Cancelled when the observer, which is asked row by row, says so.
+/// Returns the closed form. Of `grid` only the numbers and the sizes of the elements matter. The absolute accuracy is
+/// 1e-13 (bilinear load 1e-12) of the largest coefficient. Throws Cancelled if the observer, which is called for each
+/// row, cancels.
 ShiftedTable shifted_half_spaces(const HalfSpaces& half_spaces, const Grid& grid, double shift_x, double shift_y,
                                  const Observer& observer = {});
 
-/// From a table of the pair, with element sizes dx and dy of `grid` and at least the grid's extent. A shift by whole
-/// elements takes the table's own numbers. For other shifts the difference to the closed form of `nearest` is
-/// interpolated (cubic, with the parity of the component) and added to the closed form at the shifted point: `nearest`
-/// are the half-spaces of the bodies' materials, whether the bodies are half-spaces or not, the singularity under the
-/// load is theirs. When nothing is known of the bodies (no `nearest`), the half-spaces with the same singularity are
-/// found from the table, by least squares near the origin. Beyond the end of the table, which a shift by one element
-/// reaches when the table has the grid's extent, that difference goes on linearly in 1/rho, so it stays bounded; a
-/// larger table leaves less to that.
-/// Errors, of the largest coefficient: none for half-spaces, known (rounding) or found (1e-9). For a thin layer, taken
-/// as half-spaces less an image at twice its thickness of 2 dx, 5e-5 with `nearest` and 4e-4 without it at half and
-/// third elements, 1e-5 where a table of 20 x 20 offsets ends (tests/core/influence/test_shifted_table.cpp holds it to
-/// that). The roughness of a computed table from offset to offset goes over to the result as it is. Throws
-/// InvalidArgument ("grid") when the table is smaller than the grid, and Cancelled.
+/// Returns coefficients from a table of the pair, with element sizes dx and dy of `grid` and at least the grid's
+/// extent.
+///
+/// A shift by whole elements uses the table's own numbers. For other shifts, the difference to the closed form of
+/// `nearest` is interpolated (cubic, with the parity of the component) and added to the closed form at the shifted
+/// point. `nearest` are the half-spaces of the bodies' materials, whether or not the bodies are half-spaces, because
+/// they have the same singularity under the load. If the materials are unknown (no `nearest`), the half-spaces with the
+/// same singularity are fitted to the table, by least squares near the origin. A shift by one element exceeds a table
+/// with the grid's extent. Beyond its end, the difference is extrapolated linearly in 1/rho, so it stays bounded; a
+/// larger table needs less extrapolation.
+///
+/// Errors are relative to the largest coefficient. Half-spaces have none, except rounding if known, and 1e-9 if fitted.
+/// A thin layer, modelled as half-spaces minus an image at twice its thickness of 2 dx, has 5e-5 with `nearest` and
+/// 4e-4 without it at half and third elements, and 1e-5 where a table of 20 x 20 offsets ends (tested in
+/// tests/core/influence/test_shifted_table.cpp). The roughness of a computed table from offset to offset remains in the
+/// result. Throws InvalidArgument ("grid") if the table is smaller than the grid, and Cancelled.
 ShiftedTable shifted_table(const IcTable& pair, const std::optional<HalfSpaces>& nearest, const Grid& grid,
                            double shift_x, double shift_y, const Observer& observer = {});
 
-/// C = A - A' with A' the coefficients one step ahead: what a step of rolling changes (StepOperator). Components xx,
-/// xy, yx, yy as in the friction law, and xz, yz for the pressure's part of the rigid slip. Throws InvalidArgument when
-/// `pair` is smaller than `ahead`.
+/// Returns C = A - A', with A' the coefficients one step ahead: the change in a step of rolling (StepOperator).
+/// Components are xx, xy, yx, yy as in the friction law, and xz, yz for the pressure's part of the rigid slip. Throws
+/// InvalidArgument if `pair` is smaller than `ahead`.
 ShiftedTable change_over_step(const IcTable& pair, const ShiftedTable& ahead);
 
 }  // namespace contactd

@@ -21,13 +21,13 @@ namespace {
 using std::numbers::pi;
 using Block = Eigen::Matrix3d;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-/// Bounds of the doubt whether a difference falls as 1/xi^2 beyond the last two wavenumbers.
+/// These bound the deviation from a decay of 1/xi^2 of a difference beyond the last two wavenumbers.
 constexpr double least_doubt = 0.25, most_doubt = 2;
 
 struct Component {
     Axis i, j;
 };
-/// By parity along x.
+/// These are sorted by parity along x.
 constexpr std::array even_components{Component{Axis::x, Axis::x}, Component{Axis::y, Axis::y},
                                      Component{Axis::y, Axis::z}, Component{Axis::z, Axis::y},
                                      Component{Axis::z, Axis::z}};
@@ -38,8 +38,8 @@ double of(const Block& block, const Component& component) {
     return block(static_cast<int>(component.i), static_cast<int>(component.j));
 }
 
-/// Displacements of the half-space for G = 1 from its kernels. Of transforms, the symmetric form: there a load along x
-/// turns the sign of what is odd in x, and displacements from tractions along x have it once more.
+/// Returns displacements of the half-space for G = 1 from its kernels. Transforms have the symmetric form: a load along
+/// x reverses the sign of odd functions of x, and displacements from tractions along x reverse it again.
 Block half_space(const KernelIntegrals& k, double nu, bool transform) {
     const double yx = nu * k.xy / (2 * pi), xz = (1 - 2 * nu) * k.x / (4 * pi), yz = (1 - 2 * nu) * k.y / (4 * pi);
     const double turned = transform ? -1 : 1;
@@ -50,7 +50,7 @@ Block half_space(const KernelIntegrals& k, double nu, bool transform) {
     return block;
 }
 
-/// The load turned from strip J, and the displacement to strip I, by half the angle each.
+/// Rotates the load from strip J, and the displacement to strip I, by half the angle each.
 class HalfAngleRotation {
    public:
     explicit HalfAngleRotation(double angle) {
@@ -58,7 +58,7 @@ class HalfAngleRotation {
         half_ << 1, 0, 0, 0, c, -s, 0, s, c;
     }
     Block operator()(const Block& flat) const { return half_ * flat * half_; }
-    /// How much of a flat component is in a turned one.
+    /// Returns the share of a flat component in a rotated one.
     double share(const Component& turned, const Component& flat) const {
         return half_(static_cast<int>(turned.i), static_cast<int>(flat.i)) *
                half_(static_cast<int>(flat.j), static_cast<int>(turned.j));
@@ -68,12 +68,12 @@ class HalfAngleRotation {
     Block half_;
 };
 
-/// Functions of the offset, [function, k], of which coefficients are made: those of the wavenumbers first.
+/// Holds the functions of the offset, [function, k], that make up coefficients; those of the wavenumbers are first.
 struct Functions {
     RowMajor even, odd;
 };
 
-/// Pairs of strips (I, J), I >= J; the others follow by reciprocity.
+/// Computes pairs of strips (I, J), I >= J; the others follow by reciprocity.
 class TableMaker {
    public:
     TableMaker(const StripSpectrum& spectrum, double dx, int nx, double shift, const Observer& observer)
@@ -108,7 +108,7 @@ class TableMaker {
         return table;
     }
 
-    /// The largest change when every other wavenumber is left out.
+    /// Returns the largest change if every other wavenumber is omitted.
     double nested() const {
         Functions functions = interpolation(2);
         const Functions all = interpolation(1);
@@ -125,7 +125,7 @@ class TableMaker {
         return largest;
     }
 
-    /// The largest difference at the last wavenumber, as far as it may fall otherwise than as 1/xi^2.
+    /// Returns the largest difference at the last wavenumber, times the uncertainty of its decay as 1/xi^2.
     double doubtful_end() const {
         const std::size_t last = spectrum_.nodes.size() - 1;
         const double step = std::log(spectrum_.nodes[last] / spectrum_.nodes[last - 1]);
@@ -144,8 +144,8 @@ class TableMaker {
     }
 
    private:
-    /// All coefficients of strips that are l apart. Behind the functions of the nodes is room for those of the
-    /// half-space. False: one is not finite.
+    /// Computes all coefficients of strips that are l apart. `functions` has space for those of the half-space behind
+    /// those of the nodes. Returns false if one is not finite.
     bool make_apart(int l, double factor, Eigen::Index nodes, Functions& functions, StripTable& table) const {
         for (int k = 0; k < nx_; ++k) {
             const Block flat = factor * screened_half_space(k, l);
@@ -166,7 +166,7 @@ class TableMaker {
     Block reference(std::size_t node, int l) const {
         return half_space(screened_transforms(spectrum_.nodes[node], spectrum_.xi0, l), spectrum_.nu, true);
     }
-    /// Transforms at a node, less those of the screened half-space, turned.
+    /// Returns the transforms at a node, minus those of the screened half-space, rotated.
     Block difference(std::size_t node, int I, int J, const Block& turned) const {
         Block block = -turned;
         for (int i = 0; i < 3; ++i)
@@ -199,8 +199,8 @@ class TableMaker {
         return {spread(rule.even), spread(rule.odd)};
     }
 
-    /// Strips that are l apart, each component of J + l and J to where `rows` says. Behind the functions of the nodes
-    /// may be those of the half-space. False: a coefficient is not finite.
+    /// Computes strips that are l apart, each component of J + l and J to the position given by `rows`. Functions of
+    /// the half-space may follow those of the nodes. Returns false if a coefficient is not finite.
     bool fill(int l, const Functions& functions, const auto& rows) const {
         RowMajor even = shares(l, even_components, functions.even), odd = shares(l, odd_components, functions.odd);
         std::vector<Block> references;
@@ -217,8 +217,8 @@ class TableMaker {
         return multiply(odd, functions.odd, rows_of(l, odd_components, rows), -1) && finite;
     }
 
-    /// Returns the weights of each function in the coefficients, [component + components J, function], those of the
-    /// half-space so far.
+    /// Returns the weights of each function in the coefficients, [component + components J, function], including those
+    /// of the half-space.
     template <std::size_t count>
     RowMajor shares(int l, const std::array<Component, count>& components, const RowMajor& functions) const {
         const auto nodes = static_cast<Eigen::Index>(spectrum_.nodes.size());
@@ -254,7 +254,7 @@ class TableMaker {
         return add_up(rows, parity, shares.data(), functions.data(), static_cast<std::size_t>(functions.rows()),
                       static_cast<std::size_t>(functions.cols()));
     }
-    /// A load along cos(xi x) instead of sin: what it moves across turns its sign.
+    /// For a load along cos(xi x) instead of sin, displacements across change their sign.
     static double of_wave(const Block& block, const Component& component) {
         const double value = of(block, component);
         return component.j == Axis::x && component.i != Axis::x ? -value : value;
@@ -280,7 +280,7 @@ double nested_change(const StripSpectrum& spectrum, double dx, int nx) {
 }
 
 double beyond_the_end(const StripSpectrum& spectrum, double dx) {
-    // A bound of 2/pi times the integral of (xi_last/xi) sin(xi dx/2)/xi beyond it, which falls as 1/xi.
+    // This bounds 2/pi times the integral of (xi_last/xi) sin(xi dx/2)/xi beyond it, which decays as 1/xi.
     const double half_waves = spectrum.nodes.back() * dx / 2;
     return TableMaker(spectrum, dx, 1, 0, Observer()).doubtful_end() * 2 / (pi * std::hypot(1, half_waves)) /
            error_scale(spectrum, dx);

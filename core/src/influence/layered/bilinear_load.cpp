@@ -16,11 +16,12 @@ constexpr std::array<RadialFunction, 5> functions{
     RadialFunction{[](const WaveCompliance& wave) { return wave.a - wave.d; }, 3, Kernel::J1_regularised},  // Q
     RadialFunction{[](const WaveCompliance& wave) { return wave.b; }, 2, Kernel::J1_regularised}};          // R
 
-/// Integrals over a cell of a kernel times 1, x, y and xy.
+/// Holds integrals over a cell of a kernel times 1, x, y and xy.
 struct CellMoments {
     double one, x, y, xy;
 
-    /// With the hat functions that rise (or fall) along x and y from the cell's lower to its upper lines.
+    /// Returns the integral with the hat functions that rise (or fall) along x and y from the cell's lower to its upper
+    /// lines.
     double hats(bool rise_x, bool rise_y, double x0, double y0, double dx, double dy) const {
         const double ax = rise_x ? -x0 : x0 + dx, ay = rise_y ? -y0 : y0 + dy;  // hat = (a +- s)/size
         const double sx = rise_x ? 1 : -1, sy = rise_y ? 1 : -1;
@@ -30,7 +31,7 @@ struct CellMoments {
 
 }  // namespace
 
-/// Along an edge, with n the axis across it and s the one along it. "first" are moments with s.
+/// Holds sums along an edge, with n the axis across it and s the one along it. "first" are moments with s.
 struct BilinearLoad::EdgeSums {
     double D = 0, F = 0, Q = 0, R = 0;        ///< times n/rho
     double rho_D = 0, rho_F = 0, rho_R = 0;   ///< times rho
@@ -115,7 +116,7 @@ std::vector<SurfaceCoefficients> BilinearLoad::at(const OffsetLattice& offsets, 
             const auto i = static_cast<std::size_t>(k);
             SurfaceCoefficients& sum = result[offsets.index(k, l)];
             for (const bool low_y : {true, false})
-                for (const bool low_x : {true, false}) {  // cells below the point along an axis have rising hats
+                for (const bool low_x : {true, false}) {  // Cells below the point along an axis have rising hats.
                     const std::size_t column = i + (low_x ? 0 : 1);
                     const Cell& cell = cells[low_y ? 0 : 1][column];
                     const double x0 = lines.x[column], y0 = lines.y[j + (low_y ? 0 : 1)];
@@ -130,7 +131,7 @@ std::vector<SurfaceCoefficients> BilinearLoad::at(const OffsetLattice& offsets, 
                     sum.xz += slope_x * hat_y / dy;
                     sum.yz += slope_y * hat_x / dx;
                 }
-            for (const std::size_t line : {0, 1, 2}) {  // second differences of Psi under the hat function
+            for (const std::size_t line : {0, 1, 2}) {  // These are second differences of Psi under the hat function.
                 const double factor = line == 1 ? 2 : -1;
                 sum.xx += factor / dx * (along_y[0][i + line].Psi_rising + along_y[1][i + line].Psi_falling);
                 sum.yy += factor / dy * (along_x[line][i].Psi_rising + along_x[line][i + 1].Psi_falling);

@@ -15,7 +15,7 @@ constexpr std::array<RadialFunction, 4> functions{
 
 }  // namespace
 
-/// Along an edge, with n the axis across it and s the one along it.
+/// Holds sums along an edge, with n the axis across it and s the one along it.
 struct ConstantLoad::EdgeSums {
     double D = 0, F = 0, E = 0;  ///< times n/rho
     double E_along = 0;          ///< E s/rho
@@ -42,7 +42,7 @@ ConstantLoad::EdgeSums ConstantLoad::sums(double across, double from, double to)
 std::vector<SurfaceCoefficients> ConstantLoad::at(const OffsetLattice& offsets, const Observer& observer) const {
     const EdgeLines lines(offsets, LoadShape::constant);
     std::vector<SurfaceCoefficients> result(offsets.index(0, offsets.ny));
-    std::vector<EdgeSums> below, above;  // edges y = constant of a row
+    std::vector<EdgeSums> below, above;  // for the edges y = constant of a row
     const auto fill_row = [&](int j) {
         above.clear();
         for (int k = 0; k < offsets.nx; ++k) {

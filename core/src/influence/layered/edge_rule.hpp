@@ -1,4 +1,4 @@
-// Integrals along the edges of elements, of functions of the distance from the origin.
+// Integrates functions of the distance from the origin along the edges of elements.
 #pragma once
 
 #include <cmath>
@@ -8,10 +8,10 @@
 
 namespace contactd {
 
-/// Gauss points along a straight edge, as many as its distance from the origin asks for.
+/// Distributes Gauss points along a straight edge, as many as its distance from the origin requires.
 class EdgeRule {
    public:
-    /// Distances below `least` are taken for it.
+    /// Smaller distances are replaced by `least`.
     explicit EdgeRule(double least) : least_(least), near_(gauss_legendre(14)), far_(gauss_legendre(7)) {}
 
     /// Integrates over an edge at `across` from `from` to `to` along it: calls `visit` with the coordinate along it,
@@ -24,7 +24,7 @@ class EdgeRule {
             return;
         }
         const double length = to - from, closest = std::hypot(across, std::min(std::abs(from), std::abs(to)));
-        if (closest < length && length > least_) {  // the functions change on the scale of the distance
+        if (closest < length && length > least_) {  // The functions change on the scale of the distance.
             const double middle = from + length / 2;
             along(across, from, middle, visit);
             along(across, middle, to, visit);

@@ -1,4 +1,4 @@
-// Gauss's rule on [0, 1] of any number of points.
+// Computes Gauss's rule on [0, 1] of any number of points.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace contactd {
 
-/// Nodes ascending, in (0, 1); the weights sum to one. By Newton's iteration on Legendre's polynomial.
+/// Returns nodes, ascending in (0, 1), and weights that sum to one, by Newton's iteration on Legendre's polynomial.
 std::vector<GaussPoint> gauss_legendre(int points);
 
 }  // namespace contactd

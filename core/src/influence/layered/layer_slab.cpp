@@ -6,10 +6,10 @@
 namespace contactd {
 namespace {
 
-// Beyond it what lies below a layer is not felt: it would change the compliance by exp(-2 k h).
+// Beyond this depth, the material below a layer changes the compliance only by exp(-2 k h), which is negligible.
 constexpr double deepest = 40;
 
-// x cosh x - sinh x, 0 <= x <= 1.
+// Returns x cosh x - sinh x, 0 <= x <= 1.
 double odd_remainder(double x) {
     double term = x, sum = 0;
     for (int n = 1; n <= 9; ++n) {
@@ -62,7 +62,7 @@ void LayerSlab::raise(double k, WaveSurface& surface, WaveTransmission* down) co
     if (down != nullptr) down->across /= std::cosh(depth) * (1 + surface.across * across);
     surface.across = (surface.across + across) / (1 + surface.across * across);
 
-    // (A^2 - 1)^2 = 0, so that exp(A x) has four terms; slices as deep as 1 keep them of one size.
+    // (A^2 - 1)^2 = 0, so that exp(A x) has four terms; slices of depth up to 1 keep them similar in size.
     const int slices = std::max(1, static_cast<int>(std::ceil(depth)));
     const double x = depth / slices, cosh = std::cosh(x), sinh = std::sinh(x), odd = odd_remainder(x) / 2;
     Matrix4 P;
@@ -70,7 +70,7 @@ void LayerSlab::raise(double k, WaveSurface& surface, WaveTransmission* down) co
     for (std::size_t i = 0; i < 4; ++i) P[5 * i] += cosh;
     for (int slice = 0; slice < slices; ++slice) {
         const Matrix2 C = surface.plane;
-        const auto rows = [&](std::size_t i) {  // of the displacements, or of the tractions
+        const auto rows = [&](std::size_t i) {  // rows of the displacements, or of the tractions
             return Matrix2{P[4 * i] * C[0] + P[4 * i + 1] * C[2] + P[4 * i + 2],
                            P[4 * i] * C[1] + P[4 * i + 1] * C[3] + P[4 * i + 3],
                            P[4 * i + 4] * C[0] + P[4 * i + 5] * C[2] + P[4 * i + 6],
@@ -79,7 +79,7 @@ void LayerSlab::raise(double k, WaveSurface& surface, WaveTransmission* down) co
         const Matrix2 u = rows(0), t = rows(2);
         const double scale = 1 / (t[0] * t[3] - t[1] * t[2]);
         const Matrix2 below{t[3] * scale, -t[1] * scale, -t[2] * scale,
-                            t[0] * scale};  // tractions there for those here
+                            t[0] * scale};  // tractions below for those above
         surface.plane = {(u[0] * t[3] - u[1] * t[2]) * scale, (u[1] * t[0] - u[0] * t[1]) * scale,
                          (u[2] * t[3] - u[3] * t[2]) * scale, (u[3] * t[0] - u[2] * t[1]) * scale};
         if (down != nullptr) down->plane = product<2>(down->plane, below);

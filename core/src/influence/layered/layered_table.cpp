@@ -9,7 +9,7 @@
 namespace contactd {
 namespace {
 
-// `shift` < 1 moves the octaves of the radial functions, and with them all points where they are computed.
+// `shift` < 1 moves the octaves of the radial functions, and with them all points at which they are computed.
 std::vector<SurfaceCoefficients> coefficients(const Layers& body, LoadShape load_shape, const EdgeLines& lines,
                                               double shift, const std::vector<OffsetLattice>& lattices,
                                               const Observer& observer) {
@@ -43,7 +43,7 @@ IcTable layered_table(const Layers& body, LoadShape load_shape, int nx, int ny, 
     for (int l = 0; l < ny; ++l)
         for (int k = 0; k < nx; ++k) {
             SurfaceCoefficients at = values[offsets.index(k, l)];
-            if (k == 0) at.xz = at.xy = 0;  // odd
+            if (k == 0) at.xz = at.xy = 0;  // These are odd.
             if (l == 0) at.yz = at.xy = 0;
             table(x, x, k, l) = at.xx;
             table(y, y, k, l) = at.yy;

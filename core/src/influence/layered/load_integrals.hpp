@@ -1,4 +1,4 @@
-// The radial functions of a layered body integrated over elements: displacements at offsets from a load.
+// Integrates the radial functions of a layered body over elements to displacements at offsets from a load.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@
 
 namespace contactd {
 
-/// Constant tractions. With the vector fields of which the kernels are divergences only the edges of the element are
-/// left of its integral, so that nothing is singular:
-///   zz = div (D e_rho), and of xx, yy and xy the part div (F e_rho) and derivatives of E e_rho; xz = -d Phi/dx.
+/// Computes displacements under constant tractions. The kernels are divergences of vector fields, so that only
+/// integrals along the edges of the element remain, and nothing is singular: zz = div (D e_rho); xx, yy and xy consist
+/// of div (F e_rho) and derivatives of E e_rho; xz = -d Phi/dx.
 class ConstantLoad {
    public:
-    /// For edges at distances from `least` to `largest`.
+    /// Edges have distances from `least` to `largest`.
     ConstantLoad(const Layers& body, double least, double largest);
 
-    /// In mm^3/N, [l][k]. Throws Cancelled when the observer says so.
+    /// Returns coefficients in mm^3/N, [l][k]. Throws Cancelled if the observer cancels.
     std::vector<SurfaceCoefficients> at(const OffsetLattice& offsets, const Observer& observer) const;
 
    private:
@@ -30,11 +30,11 @@ class ConstantLoad {
     EdgeRule rule_;
 };
 
-/// Bilinear tractions: a hat function is bilinear on each of the four cells between element centres, so that moments of
-/// the kernels over cells are enough; those again are integrals along edges. With D, F and Phi as above, Psi' = -E, and
-/// Q, R the radial fields whose divergences are Psi and Phi:
+/// Computes displacements under bilinear tractions. A hat function is bilinear on each of the four cells between
+/// element centres, so that moments of the kernels over cells are sufficient; those are integrals along edges. With D,
+/// F and Phi as above, Psi' = -E, and Q, R the radial fields whose divergences are Psi and Phi:
 ///   the integral of x div (D e_rho) is that of rho D along edges x = constant,
-///   xx has -(second difference of Psi along x)/dx, under the hat function along y,
+///   xx contains -(second difference of Psi along x)/dx, under the hat function along y,
 ///   xy = -(differences of the integrals of Psi over cells)/(dx dy),  xz = slope of the hat function times Phi.
 class BilinearLoad {
    public:

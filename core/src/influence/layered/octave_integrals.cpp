@@ -16,7 +16,8 @@ double integer_power(double base, int exponent) {
     return exponent < 0 ? 1 / result : result;
 }
 
-// Below it compliances are as at zero, whatever the layers are: a plate on soft ground is felt at small wavenumbers.
+// Returns the wavenumber below which compliances are those at zero for any layers: a plate on soft ground has an effect
+// at small wavenumbers.
 double smallest_wavenumber(const Layers& body) {
     double total = 0, softest = body.surface().G, stiffest = softest;
     const auto add = [&](double G) {
@@ -33,7 +34,7 @@ double smallest_wavenumber(const Layers& body) {
 
 }  // namespace
 
-/// The first powers of z = k rho in J_1, J_0 - 1 and J_1 - z/2, the exponent rising by two.
+/// Holds the first powers of z = k rho in J_1, J_0 - 1 and J_1 - z/2; the exponent increases by two.
 struct OctaveIntegrals::Series {
     int first;
     std::array<double, terms> factors;
@@ -85,7 +86,7 @@ void OctaveIntegrals::add_panel(double from, double to) {
     }
 }
 
-// Panels that double their length resolve all scales that layers may have.
+// Panels of doubling length resolve all scales that layers may have.
 void OctaveIntegrals::add_moments(double to) {
     double end = to;
     if (below_ == 0)

@@ -1,6 +1,6 @@
-// Integrals over the wavenumber, for the distances of one octave after the other: above the least wavenumber of the
-// octave by Bessel functions, on a rule that is the same for all; below it by moments of the compliance, which octaves
-// share.
+// Computes integrals over the wavenumber, for the distances of successive octaves. Above the least wavenumber of the
+// octave it uses Bessel functions, on a rule that is the same for all octaves. Below, it uses moments of the
+// compliance, which octaves share.
 #pragma once
 
 #include <array>
@@ -15,19 +15,19 @@ namespace contactd {
 
 class OctaveIntegrals {
    public:
-    /// r(k) of regularised kernels is exp(-(k largest/4)^2).
+    /// The r(k) of regularised kernels is exp(-(k largest/4)^2).
     OctaveIntegrals(const Layers& body, std::vector<RadialFunction> functions, double largest);
 
     using Values = std::array<std::vector<double>, Wavenumbers::radii>;  ///< [radius][function]
-    /// At the rule's distances times p. Call it in the order of falling p.
+    /// Returns the integrals at the rule's distances times p. Call it in the order of decreasing p.
     Values at_nodes(double p);
 
    private:
     static constexpr std::size_t terms = 3;
-    /// Moments of one function, over the wavenumbers below those of the octave.
+    /// Holds moments of one function, over the wavenumbers below those of the octave.
     struct Moments {
         std::array<double, terms> powers{};  ///< with the powers of k of the kernel's series
-        double regularisation = 0;           ///< of what the regularisation adds, without rho/2 where that is a factor
+        double regularisation = 0;           ///< part of the regularisation, without rho/2 where that is a factor
     };
     struct Series;
     static Series series_of(RadialFunction::Kernel kernel);
@@ -42,10 +42,10 @@ class OctaveIntegrals {
     std::vector<RadialFunction> functions_;
     double length_, smallest_, G_;
     std::vector<GaussPoint> gauss_;
-    double below_ = 0;  // where the moments end
+    double below_ = 0;  // upper end of the moments
     std::vector<Moments> moments_;
     std::vector<std::vector<double>> weighted_;  // [function][wavenumber] of the octave
-    std::vector<double> added_;                  // [function] what the regularisation adds there
+    std::vector<double> added_;                  // [function] part that the regularisation adds there
 };
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-// Where displacements are wanted: offsets from the loaded element, and the lines between elements.
+// Describes the points of displacements: offsets from the loaded element, and the lines between elements.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// Offsets (first_x + k dx, first_y + l dy), 0 <= k < nx, 0 <= l < ny, from the centre of the load.
+/// Holds offsets (first_x + k dx, first_y + l dy), 0 <= k < nx, 0 <= l < ny, from the centre of the load.
 struct OffsetLattice {
     double first_x = 0, first_y = 0;
     int nx = 0, ny = 0;
@@ -19,20 +19,21 @@ struct OffsetLattice {
     }
 };
 
-/// Displacements at an offset for a unit traction over the loaded element; zx and zy are those of xz and yz with the
-/// other sign, yx is xy.
+/// Holds displacements at an offset for a unit traction over the loaded element; zx and zy are those of xz and yz with
+/// the opposite sign, and yx is xy.
 struct SurfaceCoefficients {
     double xx = 0, xy = 0, yy = 0, xz = 0, yz = 0, zz = 0;
 };
 
-/// Lines x = constant and y = constant between elements seen from the points: around constant loads half an element
-/// before and behind, around hat functions a whole one, and those through their apices.
+/// Holds the lines x = constant and y = constant between elements seen from the points: for constant loads half an
+/// element before and behind, for hat functions a whole one, and those through their apices.
 struct EdgeLines {
     std::vector<double> x, y;
 
     EdgeLines(const OffsetLattice& offsets, LoadShape load_shape);
 
-    /// Distances of edges from the origin: the least, but no less than what can be told from zero, and the largest.
+    /// These are the distances of edges from the origin: the least, but not below what can be distinguished from zero,
+    /// and the largest.
     double least, largest;
 };
 

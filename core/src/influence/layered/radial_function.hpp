@@ -1,11 +1,12 @@
-// Functions of the distance from a load that the displacements of a layered body are made of.
+// Defines the functions of the distance from a load that make up the displacements of a layered body.
 #pragma once
 
 #include "influence/layered/wave_compliance.hpp"
 
 namespace contactd {
 
-/// The integral over k from 0 to infinity of C(k)/k^power B(k rho), over 2 pi G; C is one of a WaveCompliance.
+/// Represents the integral over k from 0 to infinity of C(k)/k^power B(k rho), over 2 pi G; C is a component of a
+/// WaveCompliance.
 struct RadialFunction {
     enum class Kernel {
         J1,              ///< J_1

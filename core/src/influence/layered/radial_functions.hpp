@@ -1,4 +1,4 @@
-// Radial functions as they are asked for along edges: interpolated, all at once.
+// Interpolates the radial functions along edges, all at once.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace contactd {
 
-/// `count` radial functions at distances from `least` to `largest`: by interpolation in each octave.
+/// Holds `count` radial functions at distances from `least` to `largest`, by interpolation in each octave.
 template <std::size_t count>
 class RadialFunctions {
    public:
@@ -21,13 +21,14 @@ class RadialFunctions {
     RadialFunctions(const Layers& body, const std::array<RadialFunction, count>& functions, double least,
                     double largest);
 
-    /// Below `least` those there. Absolute error 1e-12 or less of the values that matter at that distance.
+    /// Returns the values at a distance; below `least`, those at `least`. The absolute error is at most 1e-12 of the
+    /// significant values at that distance.
     Values at(double rho) const {
         int octave = rho > least_ ? std::ilogb(rho / least_) : 0;
         octave = std::min(octave, static_cast<int>(octaves_.size()) - 1);
         const double x = std::max(2 * std::ldexp(rho / least_, -octave) - 3, -1.0);
         const auto& coefficients = octaves_[static_cast<std::size_t>(octave)];
-        Values b1{}, b2{};  // Clenshaw
+        Values b1{}, b2{};  // for Clenshaw's recurrence
         for (std::size_t n = coefficients.size() - 1; n > 0; --n)
             for (std::size_t f = 0; f < count; ++f) {
                 const double b0 = coefficients[n][f] + 2 * x * b1[f] - b2[f];

@@ -9,7 +9,7 @@ namespace {
 
 using enum Axis;
 
-/// Along one axis, in elements: those that are whole to rounding are so.
+/// Describes the shift along one axis, in elements. It is whole if it differs only by rounding errors.
 struct Shift {
     double elements;
     bool whole;
@@ -19,7 +19,7 @@ struct Shift {
     }
 };
 
-// A shift by whole elements asks for offsets of a table, a half or a quarter as many.
+// Returns offsets of a table for a shift by whole elements, which requires a half or a quarter as many.
 ShiftedTable from_table(const Layers& body, LoadShape load_shape, const Grid& grid, int along_x, int along_y,
                         const Observer& observer) {
     const IcTable table = layered_table(body, load_shape, grid.nx + std::abs(along_x), grid.ny + std::abs(along_y),
@@ -42,7 +42,7 @@ ShiftedTable shifted_layers(const Layers& body, LoadShape load_shape, const Grid
         std::abs(along_y.elements) <= grid.ny)
         return from_table(body, load_shape, grid, static_cast<int>(along_x.elements),
                           static_cast<int>(along_y.elements), observer);
-    // Where rolling is along x, rows below are those above mirrored.
+    // If rolling is along x, rows below are the mirrored rows above.
     const bool even = along_y.elements == 0;
     const int first_l = even ? 0 : 1 - grid.ny;
     const OffsetLattice offsets{.first_x = (1 - grid.nx + along_x.elements) * grid.dx,

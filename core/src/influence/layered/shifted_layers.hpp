@@ -1,4 +1,4 @@
-// Coefficients of layered bodies at points some distance away from the element centres.
+// Computes coefficients of layered bodies at points some distance away from the element centres.
 #pragma once
 
 #include "contactd/layers.hpp"

@@ -5,7 +5,8 @@
 namespace contactd {
 namespace {
 
-// Under unit tractions at the surface, column by column: what displacement U and tractions t are at the depth.
+// Returns stresses from the displacement U and the tractions t at the depth, under unit tractions at the surface,
+// column by column.
 StressWave::Plane stresses(double nu, double U, double tangential, double normal) {
     const double m = nu / (1 - nu);
     return {2 / (1 - nu) * U + m * normal, 2 * m * U + m * normal, normal, tangential};

@@ -3,7 +3,7 @@
 namespace contactd {
 
 LayeredWaves::LayeredWaves(const Layers& body) {
-    double below = body.base.G;  // infinite of a rigid base
+    double below = body.base.G;  // infinite for a rigid base
     for (std::size_t i = body.layers.size(); i-- > 0;) {
         slabs_.emplace_back(body.layers[i], body.layers[i].G / below);
         below = body.layers[i].G;

@@ -1,6 +1,6 @@
 #include "influence/layered/wavenumbers.hpp"
 
-#include <math.h>  // j0, j1 of POSIX
+#include <math.h>  // for j0 and j1 of POSIX
 
 #include <cmath>
 #include <numbers>
@@ -12,9 +12,9 @@ namespace {
 
 constexpr double window_middle = 66, window_width = 12, last = 132;  // of k p
 constexpr double growing_until = 4;
-constexpr int uniform_panels = 26, points = 20;  // 10 radians of k rho at most for each panel
+constexpr int uniform_panels = 26, points = 20;  // at most 10 radians of k rho for each panel
 
-// J_order less its first term, of small z.
+// Returns J_order minus its first term, for small z.
 double remainder_of_series(int order, double z) {
     double term = order == 0 ? 1 : z / 2, sum = 0;
     for (int n = 1; n <= 12; ++n) {

@@ -1,4 +1,4 @@
-// Values of half-spaces midway between strips, and from there to the axes of the strips.
+// Computes values of half-spaces midway between strips, and converts them to the axes of the strips.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace contactd {
 
-/// Midway between two strips, values depend on their distance only: n of each distance in strips, from 0 on, by
-/// `integrals(s, k)`, k = 0..n-1.
+/// Returns values midway between two strips, which depend only on their distance: n of each distance in strips, from 0
+/// on, by `integrals(s, k)`, k = 0..n-1.
 template <class Integrals>
 std::vector<NineValues> midway_values(const StripGrid& grid, double nu, std::size_t n, const Observer& observer,
                                       const Integrals& integrals) {
@@ -26,7 +26,7 @@ std::vector<NineValues> midway_values(const StripGrid& grid, double nu, std::siz
     return values;
 }
 
-/// Shape [3, 3, strips, strips, n], in the axes of the strips, times a factor.
+/// Returns the values times a factor in the axes of the strips, shape [3, 3, strips, strips, n].
 UnsetArray in_strip_axes(const StripGrid& grid, const std::vector<NineValues>& midway, double factor,
                          const Observer& observer);
 

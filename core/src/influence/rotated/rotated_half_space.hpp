@@ -1,4 +1,5 @@
-// Coefficients of a body that is uniform along x by half-spaces that turn with its surface, from strip to strip.
+// Computes coefficients of a body that is uniform along x by half-spaces that rotate with its surface, from strip to
+// strip.
 #pragma once
 
 #include "contactd/ic_spec.hpp"
@@ -8,10 +9,10 @@
 
 namespace contactd {
 
-/// mm^3/N, at the offsets k dx + shift, k >= 0: the closed form of the half-space at the distance along the surface, in
-/// axes midway between those of the two strips, then turned by half the angle between them (Blanco-Lorenzo et al.). On
-/// flat strips it is the half-space's table. Throws Cancelled when the observer, which is asked strip by strip, says
-/// so.
+/// Returns coefficients (mm^3/N) at the offsets k dx + shift, k >= 0: the closed form of the half-space at the distance
+/// along the surface, in axes midway between those of the two strips, then rotated by half the angle between them
+/// (Blanco-Lorenzo et al.). On flat strips the table is that of the half-space. Throws Cancelled if the observer, which
+/// is called for each strip, cancels.
 StripTable rotated_half_space(const StripGrid& grid, const Material& material, LoadShape load, double shift = 0,
                               const Observer& observer = {});
 

@@ -9,12 +9,13 @@
 namespace contactd {
 namespace {
 
-// So many sums stay in registers.
+// This number of sums fits into registers.
 constexpr std::size_t rows_at_once = 4, offsets_at_once = 8;
 
 }  // namespace
 
-/// `nx` is a multiple of offsets_at_once. Vectors are named, since compilers would make them of functions, not offsets.
+/// `nx` is a multiple of offsets_at_once. Vectors are named variables, because compilers would vectorise over
+/// functions, not offsets.
 CONTACTD_SIMD
 static void add_up_block(std::size_t count, std::size_t nx, const double* __restrict shares,
                          const double* __restrict functions, double* __restrict sums) {

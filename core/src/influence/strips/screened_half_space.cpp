@@ -11,7 +11,7 @@ namespace {
 
 using std::numbers::pi;
 
-/// Beyond this argument the functions are smaller than rounding, even of what is near.
+/// Beyond this argument, the functions are below rounding errors, even of near values.
 constexpr double far = 45;
 
 KernelIntegrals transforms(double xi, double xi0, double s) {
@@ -43,7 +43,7 @@ KernelIntegrals screening_at(double xi0, double x, double s) {
 }  // namespace
 
 KernelIntegrals screened_transforms(double xi, double xi0, int l) {
-    // The functions are the smoother, the farther their singularity is.
+    // The functions are smoother the farther their singularity is.
     static const auto around = gauss_legendre(20), beside = gauss_legendre(12), away = gauss_legendre(8);
     KernelIntegrals sum;
     for (const auto& [node, weight] : l == 0 ? around : std::abs(l) == 1 ? beside : away) {
@@ -51,7 +51,7 @@ KernelIntegrals screened_transforms(double xi, double xi0, int l) {
             add(sum, weight, transforms(xi, xi0, l - 0.5 + node));
             continue;
         }
-        // Points crowd at the logarithm in the middle; what is odd in s cancels.
+        // Points are denser near the logarithm in the middle; odd functions of s cancel.
         const double s = 0.5 * node * node * node;
         KernelIntegrals both = transforms(xi, xi0, s);
         both.xy = both.y = 0;

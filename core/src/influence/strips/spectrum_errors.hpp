@@ -1,4 +1,4 @@
-// How good the transform of a longitudinally uniform body's coefficients is.
+// Estimates the accuracy of the transform of a longitudinally uniform body's coefficients.
 #pragma once
 
 #include "contactd/strip_spectrum.hpp"
@@ -6,15 +6,16 @@
 namespace contactd {
 
 /// Returns the scale of errors of coefficients: zz of the half-space under an element of the same size, `dx` long, or
-/// the largest zz of a strip on itself where that is less, as of thin layers.
+/// the largest zz of a strip on itself if that is less, as for thin layers.
 double error_scale(const StripSpectrum& spectrum, double dx);
 
-/// The largest change of a coefficient over error_scale() when every other wavenumber is left out; a cubic
-/// interpolation's own error is about a sixteenth of it. Their number must be odd.
+/// Returns the largest change of a coefficient over error_scale() if every other wavenumber is omitted; the error of
+/// cubic interpolation is about a sixteenth of it. The number of wavenumbers must be odd.
 double nested_change(const StripSpectrum& spectrum, double dx, int nx);
 
-/// The most, over error_scale(), by which coefficients may be wrong because the difference to the half-space is taken
-/// to fall as 1/xi^2 beyond the last wavenumber; the last two tell how it does fall. Longer elements feel less of it.
+/// Returns the largest possible error of coefficients, over error_scale(), due to the assumption that the difference to
+/// the half-space decays as 1/xi^2 beyond the last wavenumber. The last two wavenumbers determine how it does decay.
+/// Longer elements are less affected.
 double beyond_the_end(const StripSpectrum& spectrum, double dx);
 
 }  // namespace contactd

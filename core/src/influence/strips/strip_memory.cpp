@@ -6,11 +6,12 @@
 namespace contactd {
 namespace {
 
-// Numbers for each pair, measured as the growth of a daemon: what is made of tables, and what products take.
+// These are numbers for each pair, measured as the growth of a daemon, for making tables and for products.
 constexpr double of_one_table = 27, of_each_further = 15;
 constexpr double of_products = 27, of_whole_steps = 33, of_fractional_steps = 52;
 
-// Bytes of rotated half-spaces, measured as the growth of a process, for 1,000 to 28,000 elements in 34 to 146 rows.
+// These are the bytes of rotated half-spaces, measured as the growth of a process, for 1,000 to 28,000 elements in 34
+// to 146 rows.
 constexpr double of_rotated_patch = 32e6, of_rotated_element = 2000, of_rotated_pair = 40;
 
 }  // namespace

@@ -17,7 +17,7 @@ using Matrix = Eigen::MatrixXd;
 using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 using std::numbers::pi;
 
-/// Second derivatives of the splines of the unit vectors on knots 0, 1, 2, ...
+/// Returns second derivatives of the splines of the unit vectors on knots 0, 1, 2, ...
 Matrix curvatures(Eigen::Index count, bool even) {
     Matrix system = Matrix::Zero(count, count), right = Matrix::Zero(count, count);
     for (Eigen::Index i = 1; i + 1 < count; ++i) {
@@ -38,18 +38,19 @@ Matrix curvatures(Eigen::Index count, bool even) {
     return system.partialPivLu().solve(right);
 }
 
-/// A point of a quadrature over wavenumbers, behind a knot.
+/// Describes a point of a quadrature over wavenumbers, behind a knot.
 struct Point {
     double xi, weight;
-    double share;  ///< of the way to the next knot; of the last one, what is left of its value
+    double share;  ///< fraction of the way to the next knot; behind the last one, fraction of its value that remains
 };
 
-/// Where what falls as 1/xi^2 has become small, over the last knot.
+/// At this multiple of the last knot, functions that decay as 1/xi^2 are small.
 constexpr double end_of_tail = 12;
 
-/// Those of each knot, one knot behind the other.
+/// Returns the points behind each knot.
 std::vector<std::vector<Point>> quadrature(const std::vector<double>& nodes, double xi0, double longest) {
-    // Few points a wave: this many take five waves a panel to rounding, where eight points take half a wave.
+    // Few points per wave are sufficient: this number integrates five waves per panel to rounding errors, while eight
+    // points integrate half a wave.
     static const auto rule = gauss_legendre(24);
     constexpr double waves = 5;
     const auto panels_of = [&](double width) {
@@ -69,20 +70,20 @@ std::vector<std::vector<Point>> quadrature(const std::vector<double>& nodes, dou
                     {xi, weight * width / panels, std::asinh(xi / xi0) / step - static_cast<double>(knot)});
             }
     }
-    constexpr int smooth = 3;  // panels more, for 1/xi^2
+    constexpr int smooth = 3;  // additional panels for 1/xi^2
     const double last = nodes.back();
     const int panels = smooth + panels_of((end_of_tail - 1) * last);
     for (int panel = 0; panel < panels; ++panel)
         for (const auto& [node, weight] : rule) {
-            // Panels even in xi: the waves are.
+            // Panels are even in xi, like the waves.
             const double width = (end_of_tail - 1) * last / panels, xi = last + width * (panel + node);
             points.back().push_back({xi, weight * width, last * last / (xi * xi)});
         }
     return points;
 }
 
-/// cos and sin of xi (k dx + shift) at some points, turned on from offset to offset: cosines of all would take most of
-/// the time of a table.
+/// Computes cos and sin of xi (k dx + shift) at some points by rotation from offset to offset, because direct cosines
+/// would take most of the time of a table.
 struct Waves {
     Matrix cosines, sines;  ///< [point, k]
 
@@ -104,7 +105,7 @@ struct Waves {
     }
 };
 
-/// Weights by which the spline of a value at a knot takes from it, from the next one, and from the curvatures of both.
+/// These are weights of the spline of a value at a knot: those of the knot, the next one, and the curvatures at both.
 using Shares = Eigen::Matrix<double, 4, Eigen::Dynamic>;
 
 Shares shares(std::span<const Point> points, double dx, bool beyond) {
@@ -138,7 +139,7 @@ WavenumberRule wavenumber_rule(const std::vector<double>& nodes, double xi0, dou
     RowMajor even = RowMajor::Zero(count, nx), even_bent = even, odd = even, odd_bent = even;
     const auto points = quadrature(nodes, xi0, nx * dx + std::abs(shift));
     for (Eigen::Index knot = 0; knot < count; ++knot) {
-        constexpr std::size_t block = 64;  // whose waves stay near the processor
+        constexpr std::size_t block = 64;  // number of waves that stay in the nearest caches
         std::span<const Point> left = points[static_cast<std::size_t>(knot)];
         while (!left.empty()) {
             observer.throw_if_cancelled();

@@ -1,4 +1,4 @@
-// From values at wavenumbers to values at offsets along x.
+// Converts values at wavenumbers to values at offsets along x.
 #pragma once
 
 #include <vector>
@@ -7,14 +7,14 @@
 
 namespace contactd {
 
-/// `count` wavenumbers from 0 to `last`, even in asinh(xi/xi0).
+/// Returns `count` wavenumbers from 0 to `last`, even in asinh(xi/xi0).
 std::vector<double> wavenumber_nodes(double xi0, double last, int count);
 
-/// Weights [node * nx + k]: the integral over xi of the spline through values at the nodes, times the transform of an
-/// element of length dx and times cos (even) or sin (odd) of xi (k dx + shift), over pi.
-/// The spline is cubic in asinh(xi/xi0) and knows the parity: zero slope of what is even at 0, no value and no
-/// curvature of what is odd. Beyond the last node its value falls as 1/xi^2, as the effect of a surface's curvature
-/// does. Throws InvalidArgument ("grid") for offsets so far that no quadrature follows their waves, and Cancelled.
+/// Holds weights [node * nx + k]: the integral over xi of the spline through values at the nodes, times the transform
+/// of an element of length dx and times cos (even) or sin (odd) of xi (k dx + shift), over pi. The spline is cubic in
+/// asinh(xi/xi0) and respects the parity: even ones have zero slope at 0, odd ones no value and no curvature. Beyond
+/// the last node its value decays as 1/xi^2, like the effect of a surface's curvature. Throws InvalidArgument ("grid")
+/// for offsets so large that no quadrature resolves their waves, and Cancelled.
 struct WavenumberRule {
     std::vector<double> even, odd;
 };

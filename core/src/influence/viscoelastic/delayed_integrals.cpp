@@ -8,13 +8,13 @@
 namespace contactd {
 namespace {
 
-constexpr double smallest_decay = 45;  // over l: exp(-45) is below rounding
-// Singularities of the kernel are at the edges of the load. Polynomials through a panel's points are as good as
-// 7.9^-points where these are one and a half of its lengths away.
+constexpr double smallest_decay = 45;  // over l: exp(-45) is below rounding errors
+// Singularities of the kernel are at the edges of the load. If these are at least one and a half panel lengths away,
+// the error of polynomials through a panel's points is 7.9^-points.
 constexpr double smooth_distance = 1.5;
 constexpr int finest_level = 24;            // of halving an element; next to an edge the kernel is bounded
 constexpr double growth_beyond = 0.6;       // length of a panel beyond the elements over its distance from the load
-constexpr double longest_piece_over_l = 6;  // for which the rule below is exact
+constexpr double longest_piece_over_l = 6;  // largest one for which the rule below is exact
 constexpr int points_of_piece = 32;
 
 const std::vector<GaussPoint>& panel_rule() {
@@ -27,7 +27,7 @@ const std::vector<GaussPoint>& piece_rule() {
     return rule;
 }
 
-/// Legendre's polynomials of degrees below DelayWeights::points at t in 0 to 1.
+/// Returns Legendre's polynomials of degrees below DelayWeights::points at t in 0 to 1.
 std::array<double, DelayWeights::points> legendre(double t) {
     const double x = 2 * t - 1;
     std::array<double, DelayWeights::points> p{1, x};
@@ -52,7 +52,7 @@ double DelayWeights::node(std::size_t i) {
     return panel_rule()[i].node;
 }
 
-// By the moments of Legendre's polynomials, which are integrated in pieces as short as exp(-s/l) asks for.
+// Computes the moments of Legendre's polynomials, integrated in pieces that are short enough for exp(-s/l).
 DelayWeights::DelayWeights(double length_over_l) {
     const double end = std::min(length_over_l, smallest_decay);
     const int pieces = std::max(static_cast<int>(std::ceil(end / longest_piece_over_l)), 1);
@@ -114,7 +114,7 @@ KernelIntegrals DelayedIntegrals::sum(double x, double y, double length, const D
     return result;
 }
 
-// Halves what is too near to an edge of the load.
+// Halves panels that are too near to an edge of the load.
 KernelIntegrals DelayedIntegrals::panel(double x, double y, int level) {
     const double length = std::ldexp(dx_, -level);
     if (level == finest_level || is_smooth(x, y, length)) return sum(x, y, length, weights_of(level));

@@ -13,9 +13,9 @@ namespace {
 
 using enum Axis;
 
-constexpr double shortest_delay = 1e-15, longest_delay = 1e15;  // elements
+constexpr double shortest_delay = 1e-15, longest_delay = 1e15;  // in elements
 
-/// All nine of one body as the pair has them.
+/// Returns any of the nine coefficients of one body, with the signs of the pair.
 double coefficient(const HalfSpaceModel& model, Axis i, Axis j, const KernelIntegrals& k) {
     using std::numbers::pi;
     if (i != z) return model.coefficient(i, j, k);
@@ -27,7 +27,7 @@ KernelIntegrals plus(const KernelIntegrals& a, double factor, const KernelIntegr
     return {a.xx + factor * b.xx, a.yy + factor * b.yy, a.xy + factor * b.xy, a.x + factor * b.x, a.y + factor * b.y};
 }
 
-/// One body, as if the other one were rigid.
+/// Represents one body, as if the other one were rigid.
 struct Half {
     HalfSpaceModel model;
     double f = 0;
@@ -43,15 +43,15 @@ Half half_of(const RollingHalfSpaces& pair, const Body& body, bool is_upper, con
     Half half{HalfSpaceModel(alone)};
     if (body.material.is_rigid() || !body.viscoelastic || body.viscoelastic->f == 0) return half;
     half.f = body.viscoelastic->f;
-    // Beyond these the limits are the same to rounding.
+    // Beyond these, the results are equal to the limits within rounding errors.
     const double l =
         std::clamp(pair.velocity * body.viscoelastic->tau, shortest_delay * grid.dx, longest_delay * grid.dx);
     half.delayed.emplace(half.model, grid.dx, grid.dy, 1 - grid.nx, grid.nx - 1, shift, l);
     return half;
 }
 
-/// Fills a table at the lattice of its offsets, `step` ahead in the rolling direction. Tables are computed as of
-/// rolling along +x: the mirror image of that is rolling along -x.
+/// Fills a table at the lattice of its offsets, `step` ahead in the rolling direction. Tables are computed for rolling
+/// along +x: the mirror image is rolling along -x.
 template <class Table, std::size_t displacements>
 void fill(const RollingHalfSpaces& pair, const Grid& grid, double step, const Axis (&along)[displacements],
           const Observer& observer, Table& table) {

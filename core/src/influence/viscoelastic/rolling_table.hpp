@@ -1,4 +1,5 @@
-// Influence coefficients of half-spaces that creep as they roll: what was loaded before has yielded more.
+// Computes influence coefficients of rolling viscoelastic half-spaces, in which earlier loads have larger
+// displacements.
 #pragma once
 
 #include <cstddef>
@@ -12,8 +13,8 @@
 
 namespace contactd {
 
-/// A[i,j](k,l) of the pair of bodies (see pair_of) at offsets of both signs: along the rolling direction there is no
-/// parity.
+/// Holds A[i,j](k,l) of the pair of bodies (see pair_of) at offsets of both signs: along the rolling direction there is
+/// no parity.
 struct RollingTable {
     int nx = 0;                  ///< offsets -(nx-1)..nx-1 along x
     int ny = 0;                  ///< offsets -(ny-1)..ny-1 along y
@@ -34,25 +35,26 @@ struct RollingTable {
     double operator()(Axis i, Axis j, int k, int l) const { return values[index(i, j, k, l)]; }
 };
 
-/// The part for a grid of nx x ny elements, which the table covers.
+/// Returns the part for a grid of nx x ny elements, which the table covers.
 RollingTable cropped(const RollingTable& table, int nx, int ny);
 
-/// Two half-spaces of the standard linear solid that roll along x.
+/// Describes two half-spaces of the standard linear solid that roll along x.
 struct RollingHalfSpaces {
     Bodies bodies;           ///< their sources are closed forms of half-spaces; a body may be elastic, or rigid
     double velocity = 1;     ///< (mm/s), > 0
-    bool is_forward = true;  ///< along +x, else along -x
+    bool is_forward = true;  ///< along +x, otherwise along -x
 };
 
-/// A_ve = A + f E, E(d) the integral over s from 0 to infinity of A(d + s) exp(-s/l)/l, l = velocity tau, d + s where a
-/// particle at d was that long ago. Throws Cancelled when the observer, which is asked row by row, says so.
+/// Returns A_ve = A + f E, where E(d) is the integral over s from 0 to infinity of A(d + s) exp(-s/l)/l, l = velocity
+/// tau, with d + s the position at that time of a particle now at d. Throws Cancelled if the observer, which is called
+/// for each row, cancels.
 RollingTable rolling_table(const RollingHalfSpaces& half_spaces, const Grid& grid, const Observer& observer = {});
 
-/// Returns those at the points `step` ahead of the elements (mm, > 0, in the rolling direction).
+/// Returns the coefficients at the points `step` ahead of the elements (mm, > 0, in the rolling direction).
 ShiftedTable rolling_table_ahead(const RollingHalfSpaces& half_spaces, const Grid& grid, double step,
                                  const Observer& observer = {});
 
-/// By how much displacements change over a step.
+/// Returns the change of displacements over a step.
 ShiftedTable change_over_step(const RollingTable& now, const ShiftedTable& ahead);
 
 }  // namespace contactd
