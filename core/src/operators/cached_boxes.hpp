@@ -1,4 +1,4 @@
-// A cache of operators on boxes of elements, for the last few sizes.
+// Caches operators on boxes of elements, for the last few sizes.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-/// Safe to use from several threads at once.
+/// The cache is safe to use from several threads at once.
 template <class Operator>
 class CachedBoxes {
    public:

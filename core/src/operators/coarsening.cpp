@@ -13,7 +13,7 @@ int factor(int n) {
     return n >= smallest_size_to_coarsen ? 2 : 1;
 }
 
-// Where the centre of fine element i lies between the centres of coarse ones.
+// Describes the position of the centre of fine element i between the centres of coarse ones.
 struct Between {
     std::size_t first, second;
     double weight;  // of the second
@@ -26,8 +26,9 @@ Between between(int i, int factor, int coarse_n) {
     return {static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(first + 1, coarse_n - 1)), weight};
 }
 
-// Mean of `at(a, b)` over the pairs of fine elements in two coarse ones, times the number of loaded ones: how often an
-// offset of fine elements occurs between two coarse ones, over the number of observed elements.
+// Returns the mean of `at(a, b)` over the pairs of fine elements in two coarse ones, times the number of loaded ones.
+// Each offset of fine elements is weighted with its frequency between two coarse ones, over the number of observed
+// elements.
 template <class At>
 double mean_offset(int factor_x, int factor_y, const At& at) {
     const auto weight = [](int difference, int factor) {

@@ -1,4 +1,4 @@
-// Grids of half as many elements a direction: solvers find their first estimate there.
+// Defines grids of half as many elements in a direction, on which solvers compute their first estimate.
 #pragma once
 
 #include <span>
@@ -9,23 +9,23 @@
 
 namespace contactd {
 
-/// Elements of the coarse grid stand for 2 x 2 fine ones, for 1 x 2 or 2 x 1 where the grid is short in one direction.
-/// The last coarse element may reach beyond the fine grid.
+/// Elements of the coarse grid represent 2 x 2 fine ones, or 1 x 2 or 2 x 1 if the grid is short in one direction. The
+/// last coarse element may extend beyond the fine grid.
 class Coarsening {
    public:
     Coarsening(int nx, int ny);
 
-    bool useful() const { return factor_x_ * factor_y_ > 1; }  ///< false: the grid is small already
+    bool useful() const { return factor_x_ * factor_y_ > 1; }  ///< false if the grid is already small
 
-    /// Mean displacement over a coarse element for a unit traction on another, for the components xx, yy, zz, xy, yx
-    /// and, where asked for, xz, yz, zx, zy.
+    /// Return the mean displacement over a coarse element for a unit traction on another, for the components xx, yy,
+    /// zz, xy, yx and, if `coupled`, xz, yz, zx, zy.
     IcTable coarse(const IcTable& fine, bool coupled) const;
     ShiftedTable coarse(const ShiftedTable& fine) const;
     RollingTable coarse(const RollingTable& fine, bool coupled) const;
     void average(std::span<const double> fine, std::span<double> coarse) const;
-    /// Bilinear between centres, constant beyond the outermost ones.
+    /// Interpolates bilinearly between centres, with constants beyond the outermost ones.
     void interpolate(std::span<const double> coarse, std::span<double> fine) const;
-    /// The value of the coarse element that a fine one belongs to.
+    /// Gives each fine element the value of its coarse element.
     void copy(std::span<const double> coarse, std::span<double> fine) const;
     int along_x() const { return factor_x_; }  ///< fine elements in a coarse one
     int along_y() const { return factor_y_; }

@@ -1,4 +1,4 @@
-// Another operator on the coarser grid that one has.
+// Defines another operator on an existing coarser grid.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// Averages and interpolates as `grid` does, which must live longer.
+/// Averages and interpolates as `grid` does, which must outlive this object.
 class CoarserWith final : public CoarserGrid {
    public:
     CoarserWith(const CoarserGrid& grid, std::unique_ptr<const InfluenceOperator> influence)

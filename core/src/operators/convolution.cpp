@@ -24,10 +24,10 @@ bool is_zero(const IcTable& table, Axis i, Axis j) {
     return std::all_of(values, values + table.component_size(), [](double value) { return value == 0; });
 }
 
-// A box is worth a transform of its own when it has at most this part of the elements; more when the contact, and so
-// its box, does not change during a solve.
+// A separate transform of a box pays if the box has at most this fraction of the elements. The fraction is larger if
+// the contact, and so its box, does not change during a solve.
 constexpr double small_box = 0.7, small_lasting_box = 0.95;
-// Columns or rows first .. first + n - 1 with a margin, shifted into 0 .. all - 1.
+// Describes columns or rows first .. first + n - 1 with a margin, shifted into 0 .. all - 1.
 struct Interval {
     int first, n;
 };
@@ -48,7 +48,7 @@ int periodic_size(int n) {
     return n == 1 ? 1 : 2 * smooth_size((n + 1) / 2);
 }
 
-/// On elements of twice the size.
+/// Represents elements of twice the size.
 class ConvolutionOperator::Coarser final : public CoarserGrid {
    public:
     Coarser(const Coarsening& coarsening, IcTable table) : coarsening_(coarsening), influence_(std::move(table)) {}
@@ -90,7 +90,7 @@ struct ConvolutionOperator::Impl {
     Coarsening coarsening;
 
     struct Tangential {
-        PaddedFft::Symbol xx, yy, xy, yx;  // xy and yx are empty when both are zero
+        PaddedFft::Symbol xx, yy, xy, yx;  // xy and yx are empty if both are zero
     };
     struct Coupling {
         PaddedFft::Symbol xz, yz, zx, zy;
@@ -231,7 +231,7 @@ ElementBox ConvolutionOperator::Boxes::convenient(const ElementBox& needed, bool
 }
 
 std::shared_ptr<const InfluenceOperator> ConvolutionOperator::Boxes::influence(const ElementBox& box) const {
-    // Where it lies does not matter.
+    // Its position does not matter.
     return cache_.get({0, 0, box.nx, box.ny},
                       [&] { return std::make_shared<const ConvolutionOperator>(whole_.table, box.nx, box.ny); });
 }

@@ -1,4 +1,5 @@
-// The influence operator of a table that is Toeplitz in both directions: A p is a convolution, done by FFT.
+// Implements the influence operator of a table that is Toeplitz in both directions: A p is a convolution, computed by
+// FFT.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +11,13 @@
 
 namespace contactd {
 
-/// Real FFTs on a padded grid; the padded size is the 2-3-5-smooth number that fits, and what they need is made once
-/// per size and shared between operators and threads.
+/// Uses real FFTs on a padded grid. The padded size is a 2-3-5-smooth number, and the data of a size are created once
+/// and shared between operators and threads.
 class ConvolutionOperator final : public InfluenceOperator {
    public:
     /// `table` (of the pair of bodies) covers at least the offsets 0..nx-1 x 0..ny-1. Throws InvalidArgument otherwise.
     ConvolutionOperator(const IcTable& table, int nx, int ny);
-    /// On the grid of the table's extent.
+    /// Creates the operator on the grid of the table's extent.
     explicit ConvolutionOperator(IcTable table);
     ~ConvolutionOperator() override;
     ConvolutionOperator(ConvolutionOperator&&) noexcept;
@@ -26,7 +27,8 @@ class ConvolutionOperator final : public InfluenceOperator {
     void normal(std::span<const double> pz, std::span<double> uz) const override;
     void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                     std::span<double> uy) const override;
-    /// coupling(table) > coupling_tolerance. The transforms of xz, yz, zx and zy are made when they are first needed.
+    /// Returns whether coupling(table) > coupling_tolerance. The transforms of xz, yz, zx and zy are computed when they
+    /// are first needed.
     bool coupled() const override;
     void normal_of_tangential(std::span<const double> px, std::span<const double> py,
                               std::span<double> uz) const override;
@@ -36,10 +38,11 @@ class ConvolutionOperator final : public InfluenceOperator {
     void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
                                  std::span<double> zy) const override;
     std::size_t bytes() const override { return size() * bytes_per_element; }
-    /// The table, symbols of five to nine components on a padded grid, coarser grids, and some boxes; about.
+    /// It approximates the memory of the table, symbols of five to nine components on a padded grid, coarser grids, and
+    /// some boxes.
     static constexpr std::size_t bytes_per_element = 800;
 
-    /// Elements of twice the size, down to about a dozen along the longer side.
+    /// Returns the grid of elements of twice the size, down to about a dozen along the longer side.
     const CoarserGrid* coarser() const override;
     /// Operators of the same size share one; the last few sizes are kept.
     const ElementBoxes* boxes() const override;
@@ -51,7 +54,7 @@ class ConvolutionOperator final : public InfluenceOperator {
     std::unique_ptr<Impl> impl_;
 };
 
-/// The smallest 2-3-5-smooth number >= n (n >= 1).
+/// Returns the smallest 2-3-5-smooth number >= n (n >= 1).
 int smooth_size(int n);
 
 }  // namespace contactd

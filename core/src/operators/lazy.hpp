@@ -1,4 +1,4 @@
-// A value that is made when it is first needed, by any thread.
+// Holds a value that is created when it is first needed, by any thread.
 #pragma once
 
 #include <mutex>

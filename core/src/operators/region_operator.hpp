@@ -1,4 +1,4 @@
-// Bodies whose regions feel the normal displacements by each other's pressures in part.
+// Represents bodies whose regions interact partially by the normal displacements of their pressures.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,16 @@
 
 namespace contactd {
 
-/// Regions of elements, as ContactRegions has them by their limits.
+/// Holds the regions of elements by the limits of ContactRegions.
 struct RegionShares {
     std::vector<int> region;     ///< of each element; -1: none
     std::vector<double> shares;  ///< of ContactRegions, [count, count]
     int count = 0;
 };
 
-/// uz = the sum over regions j of share(i, j) A_zz (pz in j), for elements in i; those of none feel all. A product
-/// takes as many of those of the bodies as there are regions under pressure. All else is that of the bodies. It has no
-/// coarser grid: elements there would belong to several regions.
+/// Computes uz = the sum over regions j of share(i, j) A_zz (pz in j), for elements in i; elements in no region have
+/// the full displacements. A product requires one product of the bodies for each region under pressure. Other products
+/// are those of the bodies. There is no coarser grid, because its elements would belong to several regions.
 class RegionOperator final : public InfluenceOperator {
    public:
     RegionOperator(std::shared_ptr<const InfluenceOperator> bodies, RegionShares regions);

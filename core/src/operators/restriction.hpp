@@ -1,5 +1,5 @@
-// A box of elements around a contact, and the influence operator for it: products on a box that is much smaller than
-// the potential contact area cost that much less.
+// Restricts an influence operator to a box of elements around a contact. If the box is much smaller than the potential
+// contact area, products cost correspondingly less.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@
 
 namespace contactd {
 
-/// The smallest box with all elements that satisfy the predicate, which takes an element's index; nx = ny = 0 when none
-/// does.
+/// Returns the smallest box with all elements that satisfy the predicate, which takes an element's index; nx = ny = 0
+/// if there are none.
 template <class Predicate>
 ElementBox bounding_box(const ElementBox& extent, const Predicate& belongs) {
     int left = extent.nx, right = -1, bottom = extent.ny, top = -1;
@@ -37,7 +37,8 @@ inline ElementBox united(const ElementBox& a, const ElementBox& b) {
             std::max(a.first_y + a.ny, b.first_y + b.ny) - bottom};
 }
 
-/// The whole extent or a box around the needed elements, whichever is cheaper. `influence` outlives it.
+/// Uses the whole extent or a box around the needed elements, whichever is cheaper. `influence` must outlive this
+/// object.
 class Restriction {
    public:
     Restriction(const InfluenceOperator& influence, const ElementBox& needed, bool may_grow)
@@ -69,7 +70,7 @@ class Restriction {
         grid.ny = box_.ny;
         return grid;
     }
-    /// Leaves what is outside the box.
+    /// Copies a part into the whole array; values outside the box do not change.
     template <class Value>
     void paste(const std::vector<Value>& part, std::vector<Value>& whole) const {
         for (int iy = 0; iy < box_.ny; ++iy) std::copy_n(part.begin() + iy * box_.nx, box_.nx, whole.begin() + row(iy));

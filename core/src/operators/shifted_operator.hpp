@@ -1,4 +1,4 @@
-// Products with a table that is Toeplitz in both directions and has no parity, by FFTs.
+// Computes products with a table that is Toeplitz in both directions and has no parity, by FFTs.
 #pragma once
 
 #include <memory>
@@ -8,8 +8,8 @@
 
 namespace contactd {
 
-/// The operator of a ShiftedTable, as ConvolutionOperator is that of an IcTable: with the table of change_over_step it
-/// is the increment over a step.
+/// Implements the operator of a ShiftedTable, as ConvolutionOperator does for an IcTable. With the table of
+/// change_over_step it is the increment over a step.
 class ShiftedOperator final : public StepOperator {
    public:
     explicit ShiftedOperator(ShiftedTable table);
@@ -20,11 +20,11 @@ class ShiftedOperator final : public StepOperator {
     std::size_t size() const override;
     void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                     std::span<double> uy) const override;
-    /// See coupling_tolerance; relative to xx.
+    /// Returns whether the coupling relative to xx exceeds coupling_tolerance.
     bool coupled() const override;
     void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const override;
     std::size_t bytes() const override { return size() * bytes_per_element; }
-    /// The table, symbols, inverses, coarser grids, and some boxes; about.
+    /// It approximates the memory of the table, symbols, inverses, coarser grids, and some boxes.
     static constexpr std::size_t bytes_per_element = 600;
 
     std::shared_ptr<const StepInverse> inverse(double added) const override;

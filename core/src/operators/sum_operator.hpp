@@ -1,4 +1,4 @@
-// Two bodies whose tables are of unlike kinds, so that no table holds both: what each of them does is added.
+// Adds the displacements of two bodies whose tables are of different kinds and cannot be added.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@
 
 namespace contactd {
 
-/// The sum of the operators of two bodies, as pair_of makes that of tables: adds xx, yy, zz, xy, yx and subtracts xz,
-/// yz, zx, zy of the upper body from those of the lower. It has coarser grids and boxes where both bodies have them.
+/// Implements the sum of the operators of two bodies, as pair_of does for tables: adds xx, yy, zz, xy, yx and subtracts
+/// xz, yz, zx, zy of the upper body from those of the lower. It has coarser grids and boxes if both bodies have them.
 class SumOperator final : public InfluenceOperator {
    public:
-    /// Throws InvalidArgument when there is no body, or when the numbers of elements differ.
+    /// Throws InvalidArgument if there is no body, or if the numbers of elements differ.
     explicit SumOperator(OfBodies<InfluenceOperator> bodies);
     ~SumOperator() override;
 
@@ -30,8 +30,9 @@ class SumOperator final : public InfluenceOperator {
                               std::span<double> uz) const override;
     void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const override;
     std::vector<double> diagonal(Axis i) const override;
-    /// Each body's preconditioner between its parts of the diagonal: z = sum_b W_b M_b W_b r, W_b = D_b/(D_1 + D_2).
-    /// The inverse of the sum where the bodies are multiples of each other; symmetric and positive definite anyway.
+    /// Applies each body's preconditioner between its parts of the diagonal: z = sum_b W_b M_b W_b r, W_b = D_b/(D_1 +
+    /// D_2). It is the inverse of the sum if the bodies are multiples of each other, and always symmetric and positive
+    /// definite.
     void precondition(Axis i, std::span<const double> r, std::span<double> z) const override;
     void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
                                  std::span<double> zy) const override;

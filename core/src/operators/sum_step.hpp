@@ -1,4 +1,4 @@
-// The increment over a step of rolling, of two bodies whose tables are of unlike kinds.
+// Computes the increment over a step of rolling of two bodies whose tables are of different kinds.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace contactd {
 
-/// Signs and errors as SumOperator.
+/// Signs and errors are those of SumOperator.
 class SumStep final : public StepOperator {
    public:
     explicit SumStep(OfBodies<StepOperator> bodies);
@@ -23,7 +23,7 @@ class SumStep final : public StepOperator {
     bool coupled() const override;
     void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const override;
     std::size_t bytes() const override;
-    /// Null where a body has none.
+    /// Returns the step on a box, or null if a body has none.
     std::shared_ptr<const StepOperator> on(const ElementBox& box) const override;
     const StepOperator* coarser() const override;
 

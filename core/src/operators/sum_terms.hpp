@@ -1,4 +1,4 @@
-// Sums over the bodies of a pair, for SumOperator and SumStep.
+// Computes sums over the bodies of a pair, for SumOperator and SumStep.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace contactd {
 
-/// Operators of the upper and of the lower body, on the same elements; null where a body is rigid, not both.
+/// Holds operators of the upper and of the lower body, on the same elements; null for a rigid body, but not for both.
 template <class Operator>
 struct OfBodies {
     std::shared_ptr<const Operator> upper, lower;
@@ -19,10 +19,10 @@ struct OfBodies {
 
 namespace sums {
 
-/// Signs of xz, yz, zx and zy, as in pair_of.
+/// These are the signs of xz, yz, zx and zy, as in pair_of.
 inline constexpr double upper_sign = -1, lower_sign = 1;
 
-/// One for each body that deforms.
+/// Returns one term for each body that deforms.
 template <class Term, class Operator>
 std::vector<Term> terms_of(OfBodies<Operator>& bodies) {
     std::vector<Term> terms;
@@ -38,7 +38,7 @@ inline void add(std::span<const double> values, std::span<double> sum, double fa
     for (std::size_t at = 0; at < sum.size(); ++at) sum[at] += factor * values[at];
 }
 
-/// u = sum of factor(term) * product(term), one component.
+/// Computes u = sum of factor(term) * product(term), one component.
 template <class Terms, class Product, class Factor>
 void sum(const Terms& terms, std::span<double> u, const Factor& factor, const Product& product) {
     std::vector<double> part(u.size());
@@ -68,7 +68,7 @@ bool any_coupled(const Terms& terms) {
     return std::any_of(terms.begin(), terms.end(), [](const auto& term) { return term.body->coupled(); });
 }
 
-/// Takes the same part of each term, upper and lower again; null as soon as `of` one of them is.
+/// Returns the same part of each term, as upper and lower; null if `of` one of them is null.
 template <class Operator, class Terms, class Of>
 OfBodies<Operator> each(const Terms& terms, const Of& of) {
     OfBodies<Operator> bodies;
@@ -85,7 +85,7 @@ bool none(const OfBodies<Operator>& bodies) {
     return !bodies.upper && !bodies.lower;
 }
 
-/// Makes terms of something that lives as long as this operator.
+/// Returns a pointer without ownership to something that lives as long as this operator.
 template <class Operator>
 std::shared_ptr<const Operator> borrowed(const Operator* lasting) {
     return {std::shared_ptr<void>(), lasting};

@@ -9,16 +9,16 @@ namespace {
 
 constexpr double negligible = 1e-9;  // weight of a neighbour
 
-// A length along an axis in elements, split for linear interpolation between the two that it falls between.
+// Describes a length along an axis in elements, split for linear interpolation between the two nearest ones.
 struct ElementsAhead {
     int first;      // nearer one, towards the leading edge
-    int direction;  // of the particle's origin
+    int direction;  // direction of the particle's origin
     std::array<double, 2> weights;
 
     explicit ElementsAhead(double elements) {
         const double length = std::abs(elements);
         direction = elements < 0 ? -1 : 1;
-        // More than this many elements away nothing is inside contact; the bound keeps the cast defined.
+        // At larger distances nothing is inside the contact; the bound keeps the cast defined.
         first = static_cast<int>(std::min(std::floor(length + negligible), 1e8));
         const double fraction = std::clamp(length - first, 0.0, 1.0);
         weights = {1 - fraction, fraction};
@@ -53,7 +53,7 @@ Upstream::Upstream(const Grid& grid, double step_x, double step_y, std::span<con
     ahead_.reserve(m * links_);
     std::vector<std::size_t> element_at(grid.size(), m);
     for (std::size_t e = 0; e < m; ++e) element_at[elements[e]] = e;
-    // Elements next to each other in the order do not wait for each other where particles go along an axis.
+    // Adjacent elements in the order do not depend on each other if particles move along an axis.
     const bool by_columns = std::abs(step_x / grid.dx) >= std::abs(step_y / grid.dy);
     const int outer_size = by_columns ? grid.nx : grid.ny, inner_size = by_columns ? grid.ny : grid.nx;
     for (int outer = 0; outer < outer_size; ++outer)

@@ -1,4 +1,4 @@
-// Where the particles of rolling were one step ago, among the elements in contact.
+// Finds the positions of rolling particles one step ago among the elements in contact.
 #pragma once
 
 #include <cstddef>
@@ -9,36 +9,38 @@
 
 namespace contactd {
 
-// An element of the grid that bilinear interpolation takes, by its place from the one where a particle is now.
+// Describes an element of the grid used in bilinear interpolation, by its position relative to that of a particle now.
 struct ElementAhead {
     int x, y;
     double weight;
 };
-// The elements around the place one step ahead, whose weights sum to 1.
+// Returns the elements around the point one step ahead, whose weights sum to 1.
 std::vector<ElementAhead> elements_ahead(const Grid& grid, double step_x, double step_y);
 
-// Elements in an order in which those that particles come from stand before those they reach, each with the elements
-// ahead of it that bilinear interpolation takes, and their weights.
+// Orders elements so that those from which particles come precede those that they reach. Each has the elements ahead of
+// it that bilinear interpolation uses, and their weights.
 class Upstream {
    public:
     struct Link {
-        std::size_t element;  // ahead; the number of elements where that is outside contact
+        std::size_t element;  // index ahead; the number of elements if that is outside the contact
         double weight;
     };
 
-    // `elements` of the grid, ascending; the way back is (step_x, step_y), not both zero.
+    // `elements` of the grid are ascending; the way back is (step_x, step_y), not both zero.
     Upstream(const Grid& grid, double step_x, double step_y, std::span<const std::size_t> elements);
 
     std::size_t size() const { return order_.size(); }
     const std::vector<std::size_t>& order() const { return order_; }
     std::size_t links() const { return links_; }  // per element
-    // Shape [size(), links()], in the order.
+    // Returns links of shape [size(), links()], in the order.
     const std::vector<Link>& ahead() const { return ahead_; }
-    // What interpolation leaves of an element's own value: below 1 where a step is shorter than an element.
+    // Returns the weight of an element's own value after the interpolation, below 1 if a step is shorter than an
+    // element.
     double diagonal() const { return diagonal_; }
 
-    // Takes what travels with the particles from leading to trailing edges: value(e, v) is that behind element e where
-    // v came to it; particles enter with `entering`. A step shorter than an element mixes in the value behind it.
+    // Computes values that travel with the particles from leading to trailing edges: value(e, v) is that behind element
+    // e for an incoming v; particles enter with `entering`. A step shorter than an element mixes in the value behind
+    // it.
     template <class Value>
     void travel(double entering, const Value& value, std::vector<double>& behind) const {
         const Link* link = ahead_.data();
@@ -57,7 +59,8 @@ class Upstream {
     double diagonal_ = 1;
 };
 
-// Values of a grid at the place one step ahead of each element, by bilinear interpolation; `entering` beyond the grid.
+// Returns values of a grid at the point one step ahead of each element, by bilinear interpolation, with `entering`
+// beyond the grid.
 std::vector<double> one_step_ahead(const Grid& grid, double step_x, double step_y, std::span<const double> values,
                                    double entering);
 

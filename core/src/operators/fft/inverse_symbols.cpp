@@ -6,10 +6,11 @@
 namespace contactd {
 namespace {
 
-// The symbol of a half-space stays above 0.08 times the diagonal even for elements of 1:1000. This part of the diagonal
-// is its least value here: the reciprocal stays positive where truncation or errors of the table made it negative.
+// The symbol of a half-space exceeds 0.08 times the diagonal even for elements of 1:1000. This part of the diagonal is
+// the least value here, so that the reciprocal is positive even if truncation or errors of the table made the symbol
+// negative.
 constexpr double smallest_symbol = 0.02;
-// Most of the symbol of xy in units of sqrt(xx yy): a half-space has nu/(2 - nu), 1/3 at most.
+// This limits the symbol of xy in units of sqrt(xx yy): a half-space has nu/(2 - nu), at most 1/3.
 constexpr double largest_coupling = 0.6;
 
 }  // namespace

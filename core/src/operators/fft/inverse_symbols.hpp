@@ -1,4 +1,4 @@
-// Symbols of approximate inverses of a table's diagonal components, as if the grid were periodic.
+// Computes symbols of approximate inverses of a table's diagonal components, as if the grid were periodic.
 #pragma once
 
 #include "contactd/ic_table.hpp"
@@ -6,16 +6,17 @@
 
 namespace contactd {
 
-/// Returns that of one component, positive: errors of the table and its end may have made the symbol negative.
+/// Returns the inverse symbol of one component, made positive, because errors and the end of the table may have made
+/// the symbol negative.
 PaddedFft::Symbol reciprocal_symbol(const PaddedFft& fft, const IcTable& table, Axis i);
 
-/// The inverse of the 2 x 2 symbol of the tangential components, made symmetric and positive definite.
+/// Holds the inverse of the 2 x 2 symbol of the tangential components, made symmetric and positive definite.
 struct TangentialInverse {
     PaddedFft::Symbol xx, yy, xy;
 };
 TangentialInverse tangential_inverse(const PaddedFft& fft, const IcTable& table);
 
-/// The symbol of a component.
+/// Returns the kernel of a component.
 PaddedFft::Kernel kernel_of(const IcTable& table, Axis i, Axis j);
 
 }  // namespace contactd

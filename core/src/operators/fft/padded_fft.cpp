@@ -12,7 +12,7 @@ struct PaddedFft::Workspace {
     std::array<LaneBuffer, 2> spectrum;  // [groups, rows, 2, lanes], one per field
     std::array<LaneBuffer, 2> column;    // of a group, one per field
     LaneBuffer row;                      // of as many rows as there are lanes
-    std::thread::id user;                // who had it last
+    std::thread::id user;                // last thread that used it
 
     explicit Workspace(const Plans& plans) : row(plans.fft->work_size()) {
         spectrum[0] = LaneBuffer(plans.group_size(plans.rows()) * plans.groups);
@@ -26,8 +26,8 @@ struct PaddedFft::Workspace {
     }
 };
 
-// Takes a workspace for one call, makes one when all are in use, and gives it back. A thread takes the one it had last
-// where that is idle: another's lies in the cache of another processor.
+// Takes a workspace for one call, creates one if all are in use, and returns it. A thread takes the one that it used
+// last if that is idle, because another's lies in the cache of another processor.
 class PaddedFft::Lease {
    public:
     explicit Lease(const PaddedFft& owner) : owner_(owner) {
@@ -70,8 +70,8 @@ double PaddedFft::norm_factor() const {
     return 1.0 / plans_->padded_nx / plans_->padded_ny;
 }
 
-// `product` replaces the columns x, y of the inputs, transformed, by those of the outputs, of one group after the
-// other, which stay in the first-level cache meanwhile; `first` is where its symbols begin.
+// `product` replaces the transformed columns x, y of the inputs by those of the outputs, group by group, so that a
+// group stays in the first-level cache; `first` is the start of its symbols.
 template <std::size_t inputs, std::size_t outputs, class Product>
 void PaddedFft::convolve(const std::array<std::span<const double>, inputs>& in,
                          const std::array<std::span<double>, outputs>& out, const Product& product) const {

@@ -1,4 +1,4 @@
-// What transforms of one size have in common.
+// Holds the common data of transforms of one size.
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,15 @@ struct PaddedFft::Plans {
 
     Plans(int nx_, int ny_, int padded_nx_, int padded_ny_, std::size_t lanes);
 
-    /// Returns ny, or another height, filled up to whole groups of rows.
+    /// Return ny, or the padded height, filled up to whole groups of rows.
     std::size_t rows() const { return filled_up(static_cast<std::size_t>(ny)); }
     std::size_t padded_rows() const { return filled_up(static_cast<std::size_t>(padded_ny)); }
-    /// Numbers of a group of columns in a spectrum.
+    /// Returns the size of a group of columns in a spectrum.
     std::size_t group_size(std::size_t height) const { return 2 * height * fft->lanes(); }
-    /// Numbers of a group of columns in a symbol, of shape [padded_ny, lanes].
+    /// Returns the size of a group of columns in a symbol, of shape [padded_ny, lanes].
     std::size_t symbol_size() const { return static_cast<std::size_t>(padded_ny) * fft->lanes(); }
 
-    /// Made once per size and shared. Unused ones are kept up to a bound.
+    /// Returns the plans of a size, which are created once and shared. Unused ones are kept up to a bound.
     static std::shared_ptr<const Plans> of_size(int nx, int ny, int padded_nx, int padded_ny, std::size_t lanes);
 
    private:

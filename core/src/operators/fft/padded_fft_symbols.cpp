@@ -1,4 +1,4 @@
-// Plans of the transforms and the symbols of kernels.
+// Creates plans of the transforms and the symbols of kernels.
 #include <algorithm>
 #include <cstdlib>
 #include <map>
@@ -30,8 +30,8 @@ std::shared_ptr<const PaddedFft::Plans> PaddedFft::Plans::of_size(int nx, int ny
     return made.emplace(size, std::make_shared<const Plans>(nx, ny, padded_nx, padded_ny, lanes)).first->second;
 }
 
-// Symbols are stored group after group of columns, each of shape [padded_ny, lanes]. Calls store(real, imaginary) of
-// all columns of `spectrum`, whose rows are transformed already.
+// Stores symbols group after group of columns, each of shape [padded_ny, lanes]. Calls store(real, imaginary) for all
+// columns of `spectrum`, whose rows are already transformed.
 template <class Store>
 void PaddedFft::transform_columns(const double* spectrum, const Store& store) const {
     const Plans& plans = *plans_;
@@ -58,7 +58,7 @@ PaddedFft::Symbol PaddedFft::symbol(const Kernel& kernel) const {
         const double* values = kernel.values + static_cast<std::ptrdiff_t>(l) * kernel.nx;
         double* row = &rows[static_cast<std::size_t>(l) * length];
         for (int k = 0; k <= last_k; ++k) row[k] = values[k];
-        for (int k = 1; k <= last_k; ++k)  // at half the period, an odd kernel is zero
+        for (int k = 1; k <= last_k; ++k)  // At half the period, an odd kernel is zero.
             row[plans.padded_nx - k] = 2 * k == plans.padded_nx && along_x < 0 ? 0 : along_x * values[k];
     }
     const LaneBuffer spectrum(plans.group_size(plans.padded_rows()) * plans.groups), work(fft().work_size());
@@ -66,7 +66,8 @@ PaddedFft::Symbol PaddedFft::symbol(const Kernel& kernel) const {
     const std::size_t row_size = plans.group_size(1);
     for (std::size_t g = 0; g < plans.groups; ++g) {
         double* group = spectrum.get() + g * plans.group_size(plans.padded_rows());
-        // Beyond the last row of the kernel lie what filled up its last group of rows, and then the mirrored ones.
+        // The rows after the last row of the kernel contain those that filled up its last group, and then the mirrored
+        // ones.
         const auto end = static_cast<std::size_t>(plans.padded_ny);
         std::fill(group + count * row_size, group + std::max(count, end) * row_size, 0.0);
         for (int l = 1; l <= last_l; ++l) {
@@ -121,7 +122,7 @@ PaddedFft::ComplexSymbol PaddedFft::times_along_x(const Symbol& symbol,
     ComplexSymbol result{symbol, std::vector<double>(symbol.size())};
     for (std::size_t at = 0; at < symbol.size(); ++at) {
         const std::size_t column = at / plans.symbol_size() * lanes + at % lanes;
-        if (column >= factor.size()) continue;  // filled up to whole groups
+        if (column >= factor.size()) continue;  // fills up whole groups
         result.real[at] = symbol[at] * factor[column].real();
         result.imag[at] = symbol[at] * factor[column].imag();
     }

@@ -11,11 +11,11 @@ namespace {
 
 using Complex = std::complex<double>;
 
-// Least eigenvalue of the symmetric part, in units of what is added: that of C is not negative but for truncation and
-// errors of tables.
+// This is the least eigenvalue of the symmetric part, in units of the added amount. Without truncation and errors of
+// tables, that of C would not be negative.
 constexpr double least_part = 0.5;
 
-/// The matrix of the two tangential components at one wavenumber.
+/// Holds the matrix of the two tangential components at one wavenumber.
 struct Block {
     Complex xx, xy, yx, yy;
 };

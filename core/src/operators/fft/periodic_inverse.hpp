@@ -1,4 +1,4 @@
-// The inverse of a convolution with something added to its diagonal, as if the grid were periodic.
+// Computes the inverse of a convolution with an addition to its diagonal, as if the grid were periodic.
 #pragma once
 
 #include <deque>
@@ -13,7 +13,7 @@
 
 namespace contactd {
 
-/// Makes them of one table, and keeps the last few. Safe to use from several threads at once.
+/// Creates inverses of one table, and keeps the last few. It is safe to use from several threads at once.
 class PeriodicInverses {
    public:
     explicit PeriodicInverses(const ShiftedTable& table);
@@ -29,7 +29,7 @@ class PeriodicInverses {
     std::shared_ptr<const PaddedFft> fft_;
     const TangentialSymbols symbols_;  // of the table
     mutable std::mutex mutex_;
-    mutable std::deque<std::pair<double, std::shared_ptr<const StepInverse>>> cache_;  // the oldest first
+    mutable std::deque<std::pair<double, std::shared_ptr<const StepInverse>>> cache_;  // sorted from oldest to newest
 };
 
 }  // namespace contactd

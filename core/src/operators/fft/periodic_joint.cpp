@@ -5,11 +5,11 @@
 namespace contactd {
 namespace {
 
-constexpr std::size_t most_nodes = 6;  // of either sign: fewer are less smooth, more gain nothing
+constexpr std::size_t most_nodes = 6;  // of either sign: with fewer it is less smooth, and more do not help
 
 }  // namespace
 
-// The last values at offsets - nodes .. offsets - 1, and those at minus that, a period later.
+// The nodes are the last values at offsets - nodes .. offsets - 1, and those at minus these offsets, a period later.
 PeriodicJoint::PeriodicJoint(std::size_t offsets, std::size_t period)
     : offsets_(offsets), nodes_(std::min(most_nodes, offsets - 1)) {
     if (nodes_ == 0) return;

@@ -1,4 +1,4 @@
-// How a kernel that is given up to some offset goes on to its next period.
+// Continues a kernel from its last offset to its next period.
 #pragma once
 
 #include <cstddef>
@@ -7,19 +7,19 @@
 
 namespace contactd {
 
-/// Between the largest offsets of either sign, where no product reads it, a kernel may be what it likes. Zeros, or its
-/// own mirror image next to it, make a jump or a kink there, and transforms that fall slowly. Polynomials through the
-/// last few values on both sides make a smooth function of it.
+/// Products do not use a kernel between the largest offsets of either sign, so it may be arbitrary there. Zeros, or its
+/// mirror image next to it, cause a jump or a kink there, and transforms that decay slowly. Polynomials through the
+/// last few values on both sides make it smooth.
 class PeriodicJoint {
    public:
-    /// Leaves zeros.
+    /// Creates a joint that leaves zeros.
     PeriodicJoint() = default;
-    /// Takes kernels at |offset| < offsets, offsets <= (period + 1)/2.
+    /// Creates a joint for kernels at |offset| < offsets, offsets <= (period + 1)/2.
     PeriodicJoint(std::size_t offsets, std::size_t period);
 
-    /// `values` of shape [period], those of negative offsets at its end; even, or odd.
+    /// Fills an even or odd kernel; `values` has shape [period], with negative offsets at its end.
     void fill(std::span<double> values, bool even) const;
-    /// Returns the least period that leaves room for it.
+    /// Returns the least period with sufficient space for the joint.
     static std::size_t least_period(std::size_t offsets);
 
    private:

@@ -1,4 +1,4 @@
-// Transforms of what the tangential components of a table have no parity in.
+// Holds transforms of the tangential components of a table, without parity.
 #pragma once
 
 #include <algorithm>
@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// xy and yx are alike for half-spaces and layers: yx is empty then, and products have a quarter less to read.
+/// For half-spaces and layers, xy and yx are equal: yx is then empty, and products read a quarter less.
 struct TangentialSymbols {
     PaddedFft::ComplexSymbol xx, xy, yx, yy;
 

@@ -1,4 +1,4 @@
-// Work arrays of calls, reused from one to the next.
+// Holds work arrays of calls, reused from one to the next.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// Calls may come from several threads at once: each takes an idle workspace, or makes one, and gives it back.
+/// Calls may come from several threads at once: each takes an idle workspace, or creates one, and returns it.
 template <class Workspace>
 class Workspaces {
    public:

@@ -1,4 +1,4 @@
-// Which wavenumbers of coefficients between rows matter, by the distance of the rows.
+// Selects the significant wavenumbers of coefficients between rows, by the distance of the rows.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +9,19 @@
 
 namespace contactd {
 
-/// How many distances in rows, from 0 on, matter to each group of wavenumbers, however the rows turn: large wavenumbers
-/// do not reach far. What is not kept of a coefficient, and what rounding changes of it, is at most `left_out`.
+/// Determines, for each group of wavenumbers, the number of significant distances in rows, from 0 on, whatever the
+/// rotation of the rows: large wavenumbers decay quickly. Omitted and rounded parts change a coefficient by at most
+/// `left_out`.
 class KeptDistances {
    public:
-    /// A coefficient is a sum of these numbers of MidwaySymbols, times factors of at most one; null: of none.
+    /// A coefficient is a sum of these numbers of MidwaySymbols, times factors of at most one; null means no
+    /// contribution.
     using Terms = std::initializer_list<const std::vector<double>*>;
 
     KeptDistances(const MidwaySymbols& symbols, std::initializer_list<Terms> coefficients, double left_out);
 
     bool rounded() const { return rounded_; }
-    /// Returns how many rows before row I matter to a group, itself counted.
+    /// Returns the number of significant rows before row I for a group, including I.
     std::size_t of(std::size_t group) const { return kept_[group]; }
 
    private:

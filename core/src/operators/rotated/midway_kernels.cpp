@@ -19,7 +19,7 @@ MidwayKernels::Values values_of(const IcTable& pair) {
     return {component(x, x), component(x, y), component(y, y), component(z, z), component(y, z), component(x, z)};
 }
 
-/// Even in the offset along x, where parity is natural.
+/// Returns whether a component is even in the offset along x, with natural parity.
 bool is_even(MidwayKernels::Component component) {
     return component != MidwayKernels::xs && component != MidwayKernels::xn;
 }
@@ -38,7 +38,7 @@ MidwayKernels::MidwayKernels(int nx, int ny, Values values, bool coupled, Offset
     : nx_(nx), ny_(ny), coupled_(coupled), parity_(parity), values_(std::move(values)) {}
 
 std::size_t MidwayKernels::bytes() const {
-    constexpr std::size_t of_table = 15, of_symbols = 12, of_boxes = 12;  // numbers an offset
+    constexpr std::size_t of_table = 15, of_symbols = 12, of_boxes = 12;  // numbers per offset
     return static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_) * (of_table + of_symbols + of_boxes) *
            sizeof(double);
 }
@@ -70,7 +70,7 @@ std::shared_ptr<const MidwaySymbols> MidwayKernels::symbols(const SymbolExtent& 
             for (std::size_t i = 0; i < a.size(); ++i) result[i] = 0.5 * (a[i] + sign * b[i]);
             return result;
         };
-        // A component that mixes x with another axis has -i times the transform of an opposite parity.
+        // A component that mixes x with another axis has -i times the transform of the opposite parity.
         const auto turned = [&](std::vector<double> values) {
             if (!extent.natural())
                 for (double& value : values) value = -value;

@@ -1,4 +1,4 @@
-// Coefficients between rows that are equally spaced along a surface, in axes midway between those of both rows.
+// Holds coefficients between rows that are equally spaced along a surface, in axes midway between those of both rows.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace contactd {
 
-/// Transforms of these coefficients along x: real numbers by the rules of StripCoefficients, arrays of shape
-/// [groups, rows, lanes] by the distance in rows, those of sn and xn empty without coupling.
+/// Holds transforms of these coefficients along x as real numbers, by the rules of StripCoefficients. Arrays have shape
+/// [groups, rows, lanes] by the distance in rows; those of sn and xn are empty without coupling.
 struct MidwaySymbols {
     std::size_t rows = 0;
     std::vector<double> xx, xs;
@@ -24,16 +24,16 @@ struct MidwaySymbols {
     std::size_t groups() const { return xx.size() / (rows * Waves::lanes); }
 };
 
-/// Axes x, s along the surface, n. Coefficients depend on the distance of the rows only, whatever their angles: sx is
-/// xs, nx is -xn and ns is -sn. Safe to use from several threads at once.
+/// Axes are x, s along the surface, and n. Coefficients depend only on the distance of the rows, whatever their angles:
+/// sx is xs, nx is -xn and ns is -sn. Objects are safe to use from several threads at once.
 class MidwayKernels {
    public:
     enum Component { xx, xs, ss, nn, sn, xn };
     using Values = std::array<std::vector<double>, 6>;
 
-    /// Those of a pair of half-spaces.
+    /// Creates the coefficients of a pair of half-spaces.
     explicit MidwayKernels(IcTable pair);
-    /// `values` by component, shape [ny, nx]: offsets 0..nx-1 along x, distances 0..ny-1 (mm^3/N).
+    /// `values` by component have shape [ny, nx]: offsets 0..nx-1 along x, distances 0..ny-1 (mm^3/N).
     MidwayKernels(int nx, int ny, Values values, bool coupled, OffsetParity parity);
 
     int nx() const { return nx_; }
@@ -42,9 +42,9 @@ class MidwayKernels {
     double at_origin(Component component) const { return values_[component][0]; }
     std::size_t bytes() const;
 
-    /// Those of the last few extents are cached.
+    /// Returns the symbols; those of the last few extents are cached.
     std::shared_ptr<const MidwaySymbols> symbols(const SymbolExtent& extent, const StripFft& fft) const;
-    /// Returns those on a coarser grid of so many elements. Needs a pair of half-spaces.
+    /// Returns the coefficients on a coarser grid with nx x ny elements. It requires a pair of half-spaces.
     std::shared_ptr<const MidwayKernels> coarse(int nx, int ny) const;
 
    private:

@@ -11,7 +11,7 @@
 namespace contactd {
 namespace {
 
-/// Angles below which normal and tangential contact do not influence each other.
+/// Returns whether the angles are so large that normal and tangential contact influence each other.
 bool are_turned(const std::vector<double>& angles) {
     const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
     return *greatest - *least > coupling_tolerance;
@@ -21,8 +21,8 @@ const std::vector<double>* or_none(const std::vector<double>& values) {
     return values.empty() ? nullptr : &values;
 }
 
-/// The first entries that pairs of rows keep, as SymmetricSymbol takes them: a pair of its rows are so many rows of the
-/// grid, of which each has so many entries.
+/// Returns the first entries that pairs of rows keep, for SymmetricSymbol: a pair of its rows corresponds to `rows`
+/// rows of the grid, each with `entries` entries.
 std::vector<std::size_t> first_kept(const KeptDistances& kept, std::size_t groups, std::size_t pairs, std::size_t rows,
                                     std::size_t entries) {
     std::vector<std::size_t> begin;
@@ -45,7 +45,7 @@ double RotatedCoefficients::self(Axis i, int) const {
 }
 
 std::size_t RotatedCoefficients::bytes() const {
-    constexpr std::size_t of_symbols = 7, of_boxes = 4;  // numbers a pair of rows and an offset
+    constexpr std::size_t of_symbols = 7, of_boxes = 4;  // numbers per pair of rows and offset
     return midway_->bytes() + static_cast<std::size_t>(offsets()) * angles_.size() * angles_.size() *
                                   (of_symbols + of_boxes) * sizeof(double);
 }

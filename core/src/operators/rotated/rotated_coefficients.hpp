@@ -1,4 +1,4 @@
-// Coefficients between rows whose axes turn with a surface, by those midway between rows.
+// Computes coefficients between rows whose axes rotate with a surface from those midway between rows.
 #pragma once
 
 #include <memory>
@@ -10,15 +10,15 @@
 
 namespace contactd {
 
-/// Between rows I and J, whose normals have the angles a_I and a_J, tau = a_I - a_J: R(tau/2) K R(tau/2) with the
-/// coefficients K midway between them (see rotated_half_space). With S and D for (nn + ss)/2 and (nn - ss)/2:
+/// Between rows I and J, whose normals have the angles a_I and a_J, tau = a_I - a_J, the coefficients are R(tau/2) K
+/// R(tau/2), with K those midway between them (see rotated_half_space). With S and D for (nn + ss)/2 and (nn - ss)/2:
 ///     nn = D + cos(tau) S + sin(tau) sn                ss = -D + cos(tau) S + sin(tau) sn
 ///     sn = -ns = -sin(tau) S + cos(tau) sn             xx = xx
 ///     sx = cos(tau/2) xs + sin(tau/2) xn               xn = -sin(tau/2) xs + cos(tau/2) xn
-/// So no coefficient needs a transform of its own: the angles turn those of the distances, without an error.
+/// Therefore no coefficient needs its own transform: the angles rotate those of the distances exactly.
 class RotatedCoefficients final : public StripCoefficients {
    public:
-    /// `angles` (rad) of the rows, of which the kernels have the distances at least.
+    /// `angles` (rad) are those of the rows, whose distances the kernels must cover.
     RotatedCoefficients(std::shared_ptr<const MidwayKernels> midway, std::vector<double> angles);
 
     int strips() const override { return static_cast<int>(angles_.size()); }

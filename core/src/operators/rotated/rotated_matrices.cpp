@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t lanes = Waves::lanes;
 
-/// The numbers of a group of wavenumbers, by the distance in rows; null without coupling for sn and xn.
+/// Holds the numbers of a group of wavenumbers by the distance in rows; sn and xn are null without coupling.
 struct Group {
     const double *xx, *xs, *sum, *difference, *sn, *xn;
 
@@ -35,8 +35,8 @@ struct Group {
     *reinterpret_cast<FourFloats*>(to) = __builtin_convertvector(value, FourFloats);
 }
 
-// For I >= J, where the sign of what is odd in the distance is plus. Vectors are no results of functions, whose ABI
-// would depend on the instruction set.
+// Rotates for I >= J, where odd functions of the distance have a positive sign. Functions do not return vectors,
+// because their ABI would depend on the instruction set.
 [[gnu::always_inline]] inline void rotate(const Group& of, const PairRotations& by, std::size_t I, std::size_t J,
                                           Four& value) {
     const std::size_t at = (I - J) * lanes, pair = I * by.rows + J;
@@ -79,7 +79,7 @@ template <class Number>
         matrix += 3 * lanes;
     }
     if (paired == rows) return;
-    // An odd last row has zeros beside it, which are there already.
+    // An odd last row is paired with zeros, which are already there.
     for (std::size_t J = *begin; J <= paired; ++J, matrix += 2 * lanes) put_normal(of, whole, paired, J, matrix);
 }
 
@@ -108,8 +108,8 @@ template <class Number>
     for (std::size_t I = 0; I < rows; ++I, ++kept)
         for (std::size_t J = kept->begin; J < kept->end; ++J, matrix += 2 * lanes) {
             const std::size_t at = (I > J ? I - J : J - I) * lanes, pair = I * rows + J;
-            const double odd = I >= J ? 1 : -1;  // in the distance: xs and sn
-            // Waves of x, turned by -i, have the opposite sign here.
+            const double odd = I >= J ? 1 : -1;  // sign of odd functions of the distance, xs and sn
+            // Waves of x, multiplied by -i, have the opposite sign here.
             Four xn = odd * half.sine[pair] * four(of.xs + at), sn = -whole.sine[pair] * four(of.sum + at);
             if (of.sn != nullptr) {
                 xn -= half.cosine[pair] * four(of.xn + at);

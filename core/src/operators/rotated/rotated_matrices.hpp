@@ -1,4 +1,4 @@
-// Matrices of symbols between rows that turn, in the order of strip_symbols.hpp.
+// Fills matrices of symbols between rotated rows, in the order of strip_symbols.hpp.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-/// Cosines and sines of a factor times the difference of the angles of each pair of rows, shape [rows, rows].
+/// Holds cosines and sines of a factor times the difference of the angles of each pair of rows, shape [rows, rows].
 struct PairRotations {
     std::size_t rows;
     std::vector<double> cosine, sine;

@@ -1,4 +1,4 @@
-// Rows of elements with normals of their own, on half-spaces that lie along the loaded row.
+// Represents rows of elements with different normals, on half-spaces along the loaded row.
 #pragma once
 
 #include <memory>
@@ -9,13 +9,13 @@
 
 namespace contactd {
 
-/// Displacements of a flat surface, turned from the axes of the loaded row to those of the observed one. What two
-/// elements do to each other differs, which it does of no elastic body; the matrices are not symmetric. Distances are
-/// those along the rows, as if these lay flat. The preconditioner, boxes and coarser grids are those of the flat
-/// surface.
+/// Displacements are those of a flat surface, rotated from the axes of the loaded row to those of the observed one. The
+/// matrices are not symmetric, unlike those of any elastic body, because the effects of two elements on each other
+/// differ. Distances are those along the rows, as if these lay flat. The preconditioner, boxes and coarser grids are
+/// those of the flat surface.
 class TurnedOperator final : public InfluenceOperator {
    public:
-    /// Throws InvalidArgument where the numbers of elements differ.
+    /// Throws InvalidArgument if the numbers of elements differ.
     TurnedOperator(std::shared_ptr<const InfluenceOperator> flat, RowRotations rotations);
     ~TurnedOperator() override;
 

@@ -53,7 +53,8 @@ std::shared_ptr<const NormalIncrement> normal_increment(const MaterialPair& bodi
                 static_cast<std::size_t>(l + grid.ny - 1) * static_cast<std::size_t>(2 * grid.nx - 1) +
                 static_cast<std::size_t>(k + grid.nx - 1);
             const std::size_t n = offsets(grid.nx, grid.ny);
-            // Betti's theorem: what a load along x does to the normal is what one along the normal does backwards.
+            // By Betti's theorem, the normal displacement by a load along x equals the displacement along -x by a
+            // normal load in the opposite direction.
             kernels[at] -= sign * model.coefficient(Axis::x, Axis::z, integrals);
             kernels[n + at] -= sign * model.coefficient(Axis::y, Axis::z, integrals);
             kernels[2 * n + at] += sign * model.a * (integrals.xx + integrals.yy) / (2 * std::numbers::pi);

@@ -1,4 +1,4 @@
-// The increment of displacements over a step of rolling, on half-spaces that lie along the loaded row.
+// Computes the increment of displacements over a step of rolling, on half-spaces along the loaded row.
 #pragma once
 
 #include <memory>
@@ -10,11 +10,11 @@
 
 namespace contactd {
 
-/// By how much displacements of a flat surface along its normal change over a step along x, for tractions along x, y
-/// and z.
+/// Computes the change of displacements of a flat surface along its normal over a step along x, for tractions along x,
+/// y and z.
 class NormalIncrement {
    public:
-    /// Offsets -(nx-1)..nx-1 x -(ny-1)..ny-1, shape [3, 2 ny - 1, 2 nx - 1]: load axis; l; k (mm^3/N).
+    /// Offsets are -(nx-1)..nx-1 x -(ny-1)..ny-1, shape [3, 2 ny - 1, 2 nx - 1]: load axis; l; k (mm^3/N).
     NormalIncrement(int nx, int ny, std::vector<double> kernels);
 
     std::size_t size() const { return static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_); }
@@ -33,16 +33,15 @@ class NormalIncrement {
     PaddedFft::ComplexSymbol x_, y_, z_;
 };
 
-/// That of half-spaces, over a step of `shift` (mm) along x. Throws Cancelled.
+/// Returns the increment of half-spaces, over a step of `shift` (mm) along x. Throws Cancelled.
 std::shared_ptr<const NormalIncrement> normal_increment(const MaterialPair& bodies, const Grid& grid, double shift,
                                                         const Observer& observer);
 
-/// The tangential increment of TurnedOperator. Inverses and the coarser grid, where first estimates are found, are
-/// those of the flat surface.
+/// Implements the tangential increment of TurnedOperator. Inverses and the coarser grid for first estimates are those
+/// of the flat surface.
 class TurnedStep final : public StepOperator {
    public:
-    /// `flat` and `along_normal` are those of a flat surface. Throws InvalidArgument where the numbers of elements
-    /// differ.
+    /// `flat` and `along_normal` are those of a flat surface. Throws InvalidArgument if the numbers of elements differ.
     TurnedStep(std::shared_ptr<const StepOperator> flat, std::shared_ptr<const NormalIncrement> along_normal,
                RowRotations rotations);
 

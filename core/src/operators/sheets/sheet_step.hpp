@@ -1,4 +1,4 @@
-// What a thin sheet that shears adds to the increment of displacements over a step of rolling.
+// Adds a thin sheet that shears to the increment of displacements over a step of rolling.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace contactd {
 
-/// C + flexibility (1 - S), S p the tractions one step ahead by bilinear interpolation between centres, zero beyond the
-/// grid: particles take the shear of the sheet along.
+/// Implements C + flexibility (1 - S), where S p are the tractions one step ahead by bilinear interpolation between
+/// centres, zero beyond the grid: particles carry the shear of the sheet.
 class SheetStep final : public StepOperator {
    public:
     /// The step (step_x, step_y) is in mm, the flexibility in mm^3/N.

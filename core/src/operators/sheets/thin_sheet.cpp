@@ -68,7 +68,7 @@ std::vector<double> ThinSheet::weighted(Axis i, std::span<const double> r) const
     return values;
 }
 
-// Makes of M W r, in z, what the whole preconditioner makes of r.
+// Converts M W r, in z, to the result of the whole preconditioner for r.
 void ThinSheet::complete(Axis i, std::span<const double> r, std::span<double> z) const {
     const std::vector<double>& bodies = share(i);
     if (bodies.empty()) return;

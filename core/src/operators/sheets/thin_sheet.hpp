@@ -1,4 +1,4 @@
-// A thin sheet between two bodies, which yields where it is loaded and nowhere else (Winkler's foundation).
+// Represents a thin sheet between two bodies, which deforms only where it is loaded (Winkler's foundation).
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace contactd {
 
-/// How much it yields to pressures, and how much it shears under tractions (mm^3/N), >= 0.
+/// Holds the flexibilities under pressure and under tangential tractions (mm^3/N), >= 0.
 struct SheetFlexibility {
     double normal = 0, tangential = 0;
 
     double along(Axis i) const { return i == Axis::z ? normal : tangential; }
 };
 
-/// The operator of the bodies and of the sheet: A_ii + flexibility. It has coarser grids and boxes where that of the
-/// bodies has them.
+/// Implements the operator of the bodies and of the sheet: A_ii + flexibility. It has coarser grids and boxes if that
+/// of the bodies has them.
 class ThinSheet final : public InfluenceOperator {
    public:
     ThinSheet(std::shared_ptr<const InfluenceOperator> bodies, const SheetFlexibility& flexibility);
@@ -39,8 +39,8 @@ class ThinSheet final : public InfluenceOperator {
         bodies_->tangential_of_normal(pz, ux, uy);
     }
     std::vector<double> diagonal(Axis i) const override;
-    /// z = W M W r + (1 - W)^2 r / flexibility, W the part of the bodies in the diagonal: exact where one of both is
-    /// all, symmetric and positive definite anyway.
+    /// Computes z = W M W r + (1 - W)^2 r / flexibility, with W the part of the bodies in the diagonal. It is exact if
+    /// one of both dominates, and always symmetric and positive definite.
     void precondition(Axis i, std::span<const double> r, std::span<double> z) const override;
     void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
                                  std::span<double> zy) const override;
@@ -55,7 +55,7 @@ class ThinSheet final : public InfluenceOperator {
 
     std::shared_ptr<const InfluenceOperator> bodies_;
     SheetFlexibility flexibility_;
-    std::vector<double> share_x_, share_y_, share_z_;  // W; empty where the sheet does not yield
+    std::vector<double> share_x_, share_y_, share_z_;  // W; empty if the sheet does not deform
     const std::vector<double>& share(Axis i) const {
         return i == Axis::x ? share_x_ : i == Axis::y ? share_y_ : share_z_;
     }

@@ -9,7 +9,7 @@
 namespace contactd {
 namespace {
 
-// Made once and shared. Unused ones are kept up to a bound.
+// Returns transforms, which are created once and shared. Unused ones are kept up to a bound.
 std::shared_ptr<const LaneFft> transforms_of(int period, std::size_t lanes) {
     constexpr std::size_t most_cached = 64;
     static std::map<std::pair<int, std::size_t>, std::shared_ptr<const LaneFft>> made;
@@ -39,7 +39,7 @@ void copy_negative(const double* from, double* to) {
     for (std::size_t i = 0; i < n; ++i) to[i] = -from[i];
 }
 
-// Calls each(numbers of the spectrum, re, im) of each group of lanes and each row, in groups of four wavenumbers.
+// Calls each(numbers of the spectrum, re, im) for each group of lanes and each row, in groups of four wavenumbers.
 template <std::size_t n, class Number, class Each>
 void for_lanes(double* spectrum, std::size_t groups, std::size_t height, std::size_t rows, std::size_t step,
                std::size_t next_group, Number* re, Number* im, const Each& each) {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t lanes = Waves::lanes;
 
-// Each Four is of wavenumbers that lie side by side.
+// Each Four holds adjacent wavenumbers.
 [[gnu::always_inline]] inline void load(const double* values, Four& loaded) {
     loaded = four(values);
 }
@@ -18,7 +18,8 @@ constexpr std::size_t lanes = Waves::lanes;
     loaded = __builtin_convertvector(*reinterpret_cast<const FourFloats*>(values), Four);
 }
 
-// Two rows at a time: what they take of the strips before them and what they give to those. `begin`: of each pair.
+// Processes two rows at a time, with their products by the strips before them and the transposed ones; `begin` has an
+// entry for each pair.
 template <class Number>
 [[gnu::always_inline]] inline void symmetric(std::size_t n, const std::size_t* begin, const Number* matrix,
                                              const double* in_re, const double* in_im, double* out_re, double* out_im) {
@@ -50,7 +51,7 @@ template <class Number>
     }
 }
 
-// `kept`: of each pair of rows.
+// Multiplies by rows; `kept` has an entry for each pair of rows.
 template <class Number>
 [[gnu::always_inline]] inline void by_rows(std::size_t rows, const EntryRange* kept, const Number* matrix,
                                            const double* in_re, const double* in_im, double* out_re, double* out_im) {

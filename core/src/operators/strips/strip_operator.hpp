@@ -1,4 +1,5 @@
-// The influence operator of a strip table: FFTs along x, and a real symmetric matrix across the section a wavenumber.
+// Implements the influence operator of a strip table: FFTs along x, and a real symmetric matrix across the section for
+// each wavenumber.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +12,12 @@
 
 namespace contactd {
 
-/// A periodic symbol of a body that is clamped far away is not positive, so that the preconditioner is that of other
-/// bodies: half-spaces near the surface of this one. Has coarser grids and boxes where these have.
+/// A periodic symbol of a body that is clamped far away is not positive. Therefore the preconditioner is that of other
+/// bodies: half-spaces near the surface of this one. It has coarser grids and boxes if these have them.
 class StripOperator final : public InfluenceOperator {
    public:
-    /// On the elements of `box`, which lies on the grid of `parts`. `near`: on as many elements.
+    /// Creates the operator on the elements of `box`, which lies on the grid of `parts`. `near` has the same number of
+    /// elements.
     StripOperator(std::shared_ptr<const StripParts> parts, const ElementBox& box,
                   std::shared_ptr<const InfluenceOperator> near);
     ~StripOperator() override;

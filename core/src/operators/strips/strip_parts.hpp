@@ -1,4 +1,4 @@
-// Coefficients between strips with the products on parts of their grid, for the operators that share them.
+// Shares coefficients between strips, and the products on parts of their grid, among operators.
 #pragma once
 
 #include <cstddef>
@@ -10,28 +10,28 @@
 
 namespace contactd {
 
-/// Safe to use from several threads at once.
+/// Objects are safe to use from several threads at once.
 class StripParts {
    public:
-    /// Makes the products of a grid of nx elements along each strip. Products read up to reach() elements ahead. Throws
-    /// InvalidArgument where there are fewer offsets than nx. `left_out` is as for StripProducts.
+    /// Creates the products of a grid of nx elements along each strip. Products read up to reach() elements ahead.
+    /// Throws InvalidArgument if there are fewer offsets than nx. `left_out` is as for StripProducts.
     StripParts(std::shared_ptr<const StripCoefficients> coefficients, int nx,
                OffsetParity parity = OffsetParity::natural, double left_out = 0);
-    /// By a table.
+    /// Uses the coefficients of a table.
     StripParts(StripTable table, int nx, OffsetParity parity = OffsetParity::natural, double left_out = 0);
 
     ElementBox extent() const { return {0, 0, nx_, coefficients_->strips()}; }
-    /// How many offsets along x there are beyond those of the grid.
+    /// Returns the number of offsets along x beyond those of the grid.
     int reach() const { return coefficients_->offsets() - nx_; }
     bool coupled() const { return coefficients_->coupled(); }
     double left_out() const { return left_out_; }
     double self(Axis i, int strip) const { return coefficients_->self(i, strip); }
-    /// Where the box lies along x does not matter. Those of the last few boxes are cached.
+    /// Returns the products on a box, whose position along x does not matter. Those of the last few boxes are cached.
     std::shared_ptr<const StripProducts> on(const ElementBox& box) const;
-    /// About what all takes in memory: coefficients, symbols, and those of some boxes.
+    /// Returns the approximate memory of coefficients, symbols, and those of some boxes.
     std::size_t bytes() const { return coefficients_->bytes(); }
 
-    /// Those of StripCoefficients::coarse.
+    /// Returns the parts of StripCoefficients::coarse.
     std::shared_ptr<const StripParts> coarse(const ElementBox& box, int along_x, int along_y) const;
 
    private:

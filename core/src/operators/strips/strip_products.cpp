@@ -86,7 +86,7 @@ const RectangularSymbol& StripProducts::coupling_symbol() const {
     return coupling_.get([this] { return coefficients_->coupling(extent_, fft_); });
 }
 
-// With the opposite parity matrices are -i times real ones.
+// With the opposite parity, matrices are -i times real ones.
 void StripProducts::turn_back(Waves& waves) const {
     if (extent_.natural()) return;
     std::swap(waves.re, waves.im);
@@ -99,7 +99,8 @@ void StripProducts::read_normal(Workspace& work, std::span<double> u) const {
     std::copy_n(work.strips.rows.begin(), strips_ * nx, u.begin());
 }
 
-// Calls take(to, values) of each strip: the elements' displacements, and those of the first `length` of the period.
+// Calls take(to, values) for each strip with the elements' displacements, and with those of the first `length` of the
+// period.
 template <class Take>
 void StripProducts::read_tangential(Workspace& work, std::span<double> ux, std::span<double> uy, int length,
                                     const Take& take) const {

@@ -1,4 +1,4 @@
-// Products with coefficients between strips, or with some of these, by FFTs along x.
+// Computes products with coefficients between strips, or with some of these, by FFTs along x.
 #pragma once
 
 #include <cstddef>
@@ -12,29 +12,29 @@
 
 namespace contactd {
 
-/// On the elements of a box of a grid whose rows are the strips. Arrays are in the element order of the box.
-/// Symbols are made when they are first needed; safe to use from several threads at once.
+/// Computes products on the elements of a box of a grid whose rows are the strips. Arrays are in the element order of
+/// the box. Symbols are computed when they are first needed. Objects are safe to use from several threads at once.
 class StripProducts {
    public:
     /// Reads displacements at elements up to `reach` elements ahead of the box and behind it, for which there are
-    /// coefficients at box.nx + reach offsets. Where the box lies along x does not matter. No coefficient (mm^3/N) is
-    /// changed by more than `left_out`: the effect of large wavenumbers on strips far away is less, and need not be
-    /// read. The matrices stay symmetric.
+    /// coefficients at box.nx + reach offsets. The position of the box along x does not matter. No coefficient (mm^3/N)
+    /// changes by more than `left_out`: the effect of large wavenumbers on distant strips is smaller, and is not read.
+    /// The matrices stay symmetric.
     StripProducts(std::shared_ptr<const StripCoefficients> coefficients, const ElementBox& box, int reach,
                   OffsetParity parity, double left_out);
     ~StripProducts();
 
-    /// These two of natural parity only.
+    /// These two require natural parity.
     void normal(std::span<const double> pz, std::span<double> uz) const;
     void normal_of_tangential(std::span<const double> px, std::span<const double> py, std::span<double> uz) const;
     void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                     std::span<double> uy) const;
     void tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const;
-    /// Adds them to what ux and uy hold.
+    /// Add the results to ux and uy.
     void add_tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
                         std::span<double> uy) const;
     void add_tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const;
-    /// Less the displacements at the points that lie `ahead` elements further along x, |ahead| <= reach.
+    /// Subtracts the displacements at the points that lie `ahead` elements further along x, |ahead| <= reach.
     void tangential_change(int ahead, std::span<const double> px, std::span<const double> py, std::span<double> ux,
                            std::span<double> uy) const;
     void tangential_change_of_normal(int ahead, std::span<const double> pz, std::span<double> ux,

@@ -15,7 +15,7 @@ void write_lanes(std::span<const double> transform, std::size_t step, double* to
     for (std::size_t at = 0; at < transform.size(); at += lanes, to += step) std::copy_n(&transform[at], lanes, to);
 }
 
-// Calls product(group, matrix, in_re, in_im, out_re, out_im) of each group, whose matrix begins at first[group].
+// Calls product(group, matrix, in_re, in_im, out_re, out_im) for each group, whose matrix begins at first[group].
 template <class Product>
 void for_groups(const std::vector<std::size_t>& first, const SymbolNumbers& values, const Waves& in, Waves& out,
                 const Product& product) {
@@ -31,7 +31,7 @@ void for_groups(const std::vector<std::size_t>& first, const SymbolNumbers& valu
         each(values.rounded.data());
 }
 
-// The largest sum of moduli over the wavenumbers of both signs: no coefficient is larger.
+// Returns the largest sum of moduli over the wavenumbers of both signs, which bounds every coefficient.
 double largest_coefficient(const std::vector<double>& values, std::size_t groups) {
     const std::size_t matrix = values.size() / groups;
     std::vector<double> sums(matrix);
@@ -43,8 +43,9 @@ double largest_coefficient(const std::vector<double>& values, std::size_t groups
     return largest;
 }
 
-// How many groups, from the smallest wavenumbers on, two entries need that lie side by side from `at` on in each group:
-// the moduli of the others sum up to at most `left_out` for each. Wavenumbers stand for those of both signs.
+// Returns the number of groups, from the smallest wavenumbers on, that two adjacent entries from `at` on need in each
+// group, so that the moduli of the others sum to at most `left_out` for each. Wavenumbers represent those of both
+// signs.
 std::size_t groups_needed(const std::vector<double>& values, std::size_t groups, std::size_t at, double left_out) {
     const std::size_t matrix = values.size() / groups;
     double a = 0, b = 0;
@@ -63,8 +64,8 @@ std::size_t numbers_before(std::size_t row) {
     return row * (row + 1) / 2;
 }
 
-// Moves numbers to the front of where they are, rounded at the end when that changes coefficients by no more than half
-// of `left_out`. The other half is for what is not kept.
+// Moves kept numbers to the front, and rounds them at the end if that changes coefficients by at most half of
+// `left_out`. The other half is for omitted numbers.
 class Packing {
    public:
     Packing(SymbolNumbers& values, std::size_t groups, double left_out)
@@ -136,7 +137,7 @@ void SymmetricSymbol::set(std::size_t row, std::size_t column, std::span<const d
 void SymmetricSymbol::trim(double left_out) {
     const std::size_t pairs = entries_ / 2, matrix = numbers_before(entries_) * lanes;
     for (std::size_t pair = 0; pair < pairs; ++pair) {
-        std::size_t needed = 0;  // groups, by some strip up to this one
+        std::size_t needed = 0;  // groups needed by any strip up to this one
         for (std::size_t column = 0; column < 2 * pair && needed < groups_; ++column) {
             const std::size_t at = (numbers_before(2 * pair) + 2 * column) * lanes;
             const std::size_t more = std::max(needed, groups_needed(values_.exact, groups_, at, 0.5 * left_out));

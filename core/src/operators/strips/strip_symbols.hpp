@@ -1,4 +1,4 @@
-// Symbols of strip tables: one real matrix a wavenumber, and their products with waves.
+// Defines symbols of strip tables: one real matrix for each wavenumber, and their products with waves.
 #pragma once
 
 #include <cstddef>
@@ -10,26 +10,27 @@
 
 namespace contactd {
 
-/// Reading them is what products take most of their time for.
+/// Products spend most of their time reading these numbers.
 struct SymbolNumbers {
-    std::vector<double> exact;   // empty when they are rounded
-    std::vector<float> rounded;  // empty when they are exact
+    std::vector<double> exact;   // empty if they are rounded
+    std::vector<float> rounded;  // empty if they are exact
 
     std::size_t size() const { return exact.size() + rounded.size(); }
-    /// Tells whether single precision changes no coefficient by more than half of `left_out`, the other half of which
-    /// is for what is not kept; no coefficient is larger than `largest`.
+    /// Returns whether single precision changes no coefficient by more than half of `left_out`; the other half is for
+    /// omitted numbers. No coefficient is larger than `largest`.
     static bool may_be_rounded(double largest, double left_out);
 };
 
-/// Symmetric matrices, each number once. Entries are an even number, as those of waves.
+/// Holds symmetric matrices, with each number once. Entries are an even number, like those of waves.
 class SymmetricSymbol {
    public:
     SymmetricSymbol() = default;
     SymmetricSymbol(std::size_t groups, std::size_t entries);
-    /// Trimmed already: `begin` as begin_ below. The numbers of the matrices are zeros, to be filled by fill().
+    /// Creates a trimmed symbol: `begin` is as begin_ below. The numbers of the matrices are zeros, to be filled by
+    /// fill().
     SymmetricSymbol(std::size_t groups, std::size_t entries, std::vector<std::size_t> begin, bool rounded);
 
-    /// Calls each(group, begin of its pairs of rows, double* or float* of its numbers) of each group.
+    /// Calls each(group, begin of its pairs of rows, double* or float* of its numbers) for each group.
     template <class Each>
     void fill(const Each& each) {
         for (std::size_t group = 0; group < groups_; ++group) {
@@ -41,33 +42,34 @@ class SymmetricSymbol {
         }
     }
 
-    /// `transform` as of StripFft::symbol.
+    /// Sets an entry; `transform` is as in StripFft::symbol.
     void set(std::size_t row, std::size_t column, std::span<const double> transform);
-    /// Leaves out large wavenumbers of entries far from the diagonal, and rounds the others to single precision, as far
-    /// as no coefficient changes by more than `left_out`. Call it once, after the last set.
+    /// Omits large wavenumbers of entries far from the diagonal, and rounds the others to single precision, as far as
+    /// no coefficient changes by more than `left_out`. Call it once, after the last set.
     void trim(double left_out);
-    /// out = M in
+    /// Computes out = M in.
     void multiply(const Waves& in, Waves& out) const;
-    /// That are kept, each once.
+    /// Returns the number of kept numbers, each counted once.
     std::size_t numbers() const { return values_.size(); }
 
    private:
     std::size_t groups_ = 0, entries_ = 0;
-    SymbolNumbers values_;  // [group]; of two rows after each other, the pairs of a strip side by side; [lane]
+    SymbolNumbers values_;            // [group]; for two successive rows, the pairs of a strip are adjacent; [lane]
     std::vector<std::size_t> begin_;  // [group][pair of rows]: the first strip that is kept
-    std::vector<std::size_t> group_;  // where in values_ a group begins
+    std::vector<std::size_t> group_;  // start of each group in values_
 };
 
-/// A symbol of any shape with an even number of rows.
+/// Holds a symbol of any shape with an even number of rows.
 class RectangularSymbol {
    public:
     RectangularSymbol() = default;
     RectangularSymbol(std::size_t groups, std::size_t rows, std::size_t columns);
-    /// Trimmed already: `ranges` as ranges_ below. The numbers of the matrices are zeros, to be filled by fill().
+    /// Creates a trimmed symbol: `ranges` is as ranges_ below. The numbers of the matrices are zeros, to be filled by
+    /// fill().
     RectangularSymbol(std::size_t groups, std::size_t rows, std::size_t columns, std::vector<EntryRange> ranges,
                       bool rounded);
 
-    /// Calls each(group, ranges of its pairs of rows, double* or float* of its numbers) of each group.
+    /// Calls each(group, ranges of its pairs of rows, double* or float* of its numbers) for each group.
     template <class Each>
     void fill(const Each& each) {
         for (std::size_t group = 0; group < groups_; ++group) {
@@ -81,9 +83,9 @@ class RectangularSymbol {
 
     void set(std::size_t row, std::size_t column, std::span<const double> transform);
     void trim(double left_out);
-    /// out = M in
+    /// Computes out = M in.
     void multiply(const Waves& in, Waves& out) const;
-    /// out = M' in
+    /// Computes out = M' in.
     void multiply_transposed(const Waves& in, Waves& out) const;
     std::size_t numbers() const { return values_.size(); }
 
@@ -91,7 +93,7 @@ class RectangularSymbol {
     std::size_t groups_ = 0, rows_ = 0, columns_ = 0;
     SymbolNumbers values_;            // [group][pair of rows][strip][row of the pair][lane]
     std::vector<EntryRange> ranges_;  // [group][pair of rows]
-    std::vector<std::size_t> group_;  // where in values_ a group begins
+    std::vector<std::size_t> group_;  // start of each group in values_
 };
 
 }  // namespace contactd

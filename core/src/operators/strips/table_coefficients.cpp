@@ -34,12 +34,12 @@ std::vector<double> times(double factor, std::span<const double> values) {
 TableCoefficients::TableCoefficients(StripTable table) : table_(std::move(table)), coupled_(couples(table_)) {}
 
 std::size_t TableCoefficients::bytes_of(int nx, int strips) {
-    constexpr std::size_t of_table = 9, of_symbols = 7, of_boxes = 4;  // numbers a pair of strips and an offset
+    constexpr std::size_t of_table = 9, of_symbols = 7, of_boxes = 4;  // numbers per pair of strips and offset
     return static_cast<std::size_t>(nx) * static_cast<std::size_t>(strips) * static_cast<std::size_t>(strips) *
            (of_table + of_symbols + of_boxes) * sizeof(double);
 }
 
-// Calls set(I, J, transform) of all pairs of strips of the extent, where i = j of those with J <= I.
+// Calls set(I, J, transform) for all pairs of strips of the extent; if i = j, only for those with J <= I.
 template <class Set>
 void TableCoefficients::for_pairs(const SymbolExtent& extent, const StripFft& fft, Axis i, Axis j,
                                   const Set& set) const {
@@ -96,7 +96,7 @@ std::shared_ptr<const StripCoefficients> TableCoefficients::coarse(const Element
                                                                    int along_y) const {
     const auto number = [](int n, int factor) { return (n + factor - 1) / factor; };
     StripTable result(number(box.nx, along_x), number(box.ny, along_y));
-    // A pair of strips of which one lies beyond the last: both moved back by that much.
+    // If one of a pair of strips lies beyond the last, both are moved back by that much.
     const auto values_of = [&](Axis i, Axis j, int I, int J) {
         const int beyond = std::max({I - (box.ny - 1), J - (box.ny - 1), 0});
         const int at = box.first_y + std::max(I - beyond, 0), from = box.first_y + std::max(J - beyond, 0);

@@ -1,4 +1,4 @@
-// Coefficients between strips by a table of them.
+// Implements coefficients between strips by a table.
 #pragma once
 
 #include "contactd/strip_table.hpp"
@@ -6,7 +6,7 @@
 
 namespace contactd {
 
-/// The symmetric part of the table counts (see symmetrised); with the opposite parity it is the antisymmetric one.
+/// Uses the symmetric part of the table (see symmetrised), or with the opposite parity the antisymmetric one.
 class TableCoefficients final : public StripCoefficients {
    public:
     explicit TableCoefficients(StripTable table);
@@ -17,7 +17,7 @@ class TableCoefficients final : public StripCoefficients {
     bool coupled() const override { return coupled_; }
     double self(Axis i, int strip) const override { return table_(i, i, strip, strip, 0); }
     std::size_t bytes() const override { return bytes_of(table_.nx, table_.strips); }
-    /// About what all takes in memory: table, symbols, and those of some boxes.
+    /// Returns the approximate memory of table, symbols, and those of some boxes.
     static std::size_t bytes_of(int nx, int strips);
 
     SymmetricSymbol normal(const SymbolExtent& extent, const StripFft& fft) const override;

@@ -31,7 +31,7 @@ bool is_coupled(const RollingTable& table) {
     return largest > coupling_tolerance * table(z, z, 0, 0);
 }
 
-/// Reciprocals of what creep does to waves of 0 to `period`/2 periods along x.
+/// Returns reciprocals of the effect of creep on waves of 0 to `period`/2 periods along x.
 std::vector<Complex> stiffness_of_waves(const std::vector<CreepOfWaves>& creep, Axis axis, int period, double dx) {
     std::vector<Complex> result(static_cast<std::size_t>(period / 2 + 1), 1);
     for (std::size_t number = 0; number < result.size(); ++number) {
@@ -209,7 +209,7 @@ ElementBox ViscoelasticOperator::Boxes::convenient(const ElementBox& needed, boo
 }
 
 std::shared_ptr<const InfluenceOperator> ViscoelasticOperator::Boxes::influence(const ElementBox& box) const {
-    // Where it lies does not matter.
+    // Its position does not matter.
     return cache_.get({0, 0, box.nx, box.ny}, [&] {
         return std::make_shared<const ViscoelasticOperator>(cropped(whole_.elastic_table, box.nx, box.ny),
                                                             cropped(whole_.table, box.nx, box.ny), whole_.creep,

@@ -1,4 +1,5 @@
-// The influence operator of half-spaces that creep as they roll: Toeplitz in both directions, and not symmetric.
+// Implements the influence operator of rolling viscoelastic half-spaces, which is Toeplitz in both directions and not
+// symmetric.
 #pragma once
 
 #include <array>
@@ -12,18 +13,18 @@
 
 namespace contactd {
 
-/// What a body's creep does to waves along x, of wavenumber k: its compliance times 1 + f/(1 - i k l).
+/// Describes the effect of a body's creep on waves along x, of wavenumber k: its compliance times 1 + f/(1 - i k l).
 struct CreepOfWaves {
-    double f = 0, l = 0;            ///< l (mm) is negative where the bodies roll along -x
-    std::array<double, 3> share{};  ///< of the body in the compliance of the pair along x, y and z
+    double f = 0, l = 0;            ///< l (mm) is negative if the bodies roll along -x
+    std::array<double, 3> share{};  ///< share of the body in the compliance of the pair along x, y and z
 };
 
-/// Products by FFTs of the table. The preconditioner is the elastic one times the reciprocal of what creep does to
-/// waves, which knows no end of the table.
+/// Computes products by FFTs of the table. The preconditioner is the elastic one times the reciprocal of the effect of
+/// creep on waves, which ignores the end of the table.
 class ViscoelasticOperator final : public InfluenceOperator {
    public:
-    /// `elastic` are the coefficients of the pair at once, `table` those of rolling, both with the extent of the grid;
-    /// `dx` is the size of an element.
+    /// `elastic` holds the instantaneous coefficients of the pair, `table` those of rolling, both with the extent of
+    /// the grid; `dx` is the size of an element.
     ViscoelasticOperator(IcTable elastic, RollingTable table, std::vector<CreepOfWaves> creep, double dx);
     ~ViscoelasticOperator() override;
 
@@ -41,7 +42,8 @@ class ViscoelasticOperator final : public InfluenceOperator {
     void precondition_tangential(std::span<const double> rx, std::span<const double> ry, std::span<double> zx,
                                  std::span<double> zy) const override;
     std::size_t bytes() const override { return size() * bytes_per_element; }
-    /// Both tables, symbols of five to nine components on a padded grid, coarser grids, and some boxes; about.
+    /// It approximates the memory of both tables, symbols of five to nine components on a padded grid, coarser grids,
+    /// and some boxes.
     static constexpr std::size_t bytes_per_element = 2000;
 
     const CoarserGrid* coarser() const override;
