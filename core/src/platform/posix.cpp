@@ -1,4 +1,4 @@
-// The platform as POSIX and Linux have it.
+// Implements the platform for POSIX and Linux.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -169,7 +169,8 @@ std::string process_name() {
 }
 
 std::string start_of(const std::string& process) {
-    // In clock ticks since the machine started: field 22 of /proc/PROCESS/stat, counted behind the name in brackets.
+    // The time is in clock ticks since the start of the machine: field 22 of /proc/PROCESS/stat, counted behind the
+    // name in brackets.
     std::ifstream file("/proc/" + process + "/stat");
     std::stringstream text;
     text << file.rdbuf();
@@ -191,7 +192,7 @@ std::string host_name() {
 }
 
 void random_bytes(std::span<unsigned char> bytes) {
-    constexpr std::size_t most = 256;  // at a time
+    constexpr std::size_t most = 256;  // limit of one call
     for (std::size_t begin = 0; begin < bytes.size(); begin += most) {
         const auto part = bytes.subspan(begin, std::min(most, bytes.size() - begin));
         if (::getentropy(part.data(), part.size()) != 0)

@@ -1,4 +1,4 @@
-// The platform as Windows 10 and newer have it.
+// Implements the platform for Windows 10 and newer.
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Locks keep others from reading and writing what is locked, so that a byte is locked that no file has.
+// Locks prevent others from reading and writing the locked bytes, so a byte is locked that no file has.
 constexpr DWORD locked_byte_high = 0x7fffffff;
 
 std::error_code last_error() {
@@ -60,7 +60,7 @@ OpenFile::OpenFile(const fs::path& path, Use use) {
     const HANDLE handle = opened(path, access, disposition, FILE_ATTRIBUTE_NORMAL | FILE_FLAG_OPEN_REPARSE_POINT);
     if (handle == INVALID_HANDLE_VALUE) {
         error_ = last_error();
-        // The standard's word for it, which callers on every platform compare with.
+        // Callers on every platform compare with this error code of the standard.
         if (error_.value() == ERROR_FILE_EXISTS) error_ = std::make_error_code(std::errc::file_exists);
         return;
     }
@@ -188,8 +188,8 @@ std::error_code cannot_use(const fs::path& folder, bool written) {
 }
 
 std::string boot_name() {
-    // Windows has no name for a start of the machine. The times at which processes start are those of the calendar, so
-    // that it is enough to tell machines from each other.
+    // Windows has no name for a boot of the machine. The start times of processes are absolute, so that the name only
+    // needs to distinguish machines.
     unsigned long long digest = 14695981039346656037u;
     for (const char c : host_name()) digest = (digest ^ static_cast<unsigned char>(c)) * 1099511628211u;
     return std::format("{:012x}", digest & 0xffffffffffffu);

@@ -1,5 +1,5 @@
-// Windows calls this when it loads one of the DLLs: they are refused where the processor lacks what they are compiled
-// for, before anything of theirs runs into it.
+// Windows calls this when it loads one of the DLLs. It refuses to load them if the processor lacks the instruction set
+// for which they are compiled, before any such instruction runs.
 #define WIN32_LEAN_AND_MEAN
 #include <stdio.h>
 #include <windows.h>
