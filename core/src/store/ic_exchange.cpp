@@ -1,4 +1,4 @@
-// Writing tables for others.
+// Writes tables for other programs.
 #include "contactd/ic_exchange.hpp"
 #include "contactd/fields/axis.hpp"
 
@@ -11,7 +11,7 @@
 namespace contactd {
 namespace {
 
-/// Order of the coordinate directions in CONTACT's text: 3, 1, 2 for z (normal), x, y.
+/// CONTACT's text encodes the order of the coordinate directions as 3, 1, 2 for z (normal), x, y.
 constexpr int order_zxy = 312;
 
 struct Column {
@@ -34,12 +34,12 @@ void append(std::string& text, const char* format, Values... values) {
     text.append(line, static_cast<std::size_t>(std::snprintf(line, sizeof line, format, values...)));
 }
 
-constexpr double characters_per_row = 247;  // an integer, ten numbers and the end of the line
+constexpr double characters_per_row = 247;  // an integer, ten numbers and the line end
 
 }  // namespace
 
 double combined_modulus(const MaterialPair& bodies) {
-    if (bodies.upper.G == bodies.lower.G) return bodies.upper.G;  // to the last bit
+    if (bodies.upper.G == bodies.lower.G) return bodies.upper.G;  // This is exact to the last bit.
     return 2 / (1 / bodies.upper.G + 1 / bodies.lower.G);
 }
 

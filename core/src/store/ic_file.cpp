@@ -1,4 +1,4 @@
-// One table as one file: a 512-byte HDF5 user block with the digest, then the HDF5 image.
+// Stores one table as one file: a 512-byte HDF5 user block with the digest, then the HDF5 image.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -24,13 +24,13 @@ namespace fs = std::filesystem;
 using platform::OpenFile;
 using Bytes = std::span<const unsigned char>;
 
-constexpr std::size_t header_size = 512;  // the smallest user block HDF5 skips
+constexpr std::size_t header_size = 512;  // smallest user block that HDF5 skips
 constexpr std::string_view any_magic = "contactd ic table, format ";
 constexpr std::string_view magic = "contactd ic table, format 1, sha256 of the bytes after this block: ";
 constexpr std::size_t digest_size = 64;
-constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 32;  // several times the largest that is built
+constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 32;  // several times the largest table that is built
 
-/// Sentences name files and not their folders: they reach clients, who have no business there.
+/// Messages name files without their folders, because clients receive them and must not learn the folders.
 std::string name_of(const fs::path& path) {
     return path.filename().string();
 }
@@ -39,7 +39,8 @@ std::string name_of(const fs::path& path) {
     throw StoreError(std::string("Cannot ") + doing + " " + name_of(path) + ": " + error.message() + ".");
 }
 
-/// A name may lead anywhere: links are not followed, and what is no file is neither waited for nor read.
+/// Reads a file by a name that may refer to anything: links are not followed, and other things than files are neither
+/// waited for nor read.
 std::vector<unsigned char> read_all(const fs::path& path) {
     OpenFile file(path, OpenFile::Use::reading);
     if (!file.is_open()) fail("read", path, file.error());
@@ -54,7 +55,7 @@ std::vector<unsigned char> read_all(const fs::path& path) {
     return bytes;
 }
 
-/// The block in front of the image has a format of its own, which later versions may count up.
+/// The block in front of the image has its own format, whose number later versions may increase.
 void check_header(Bytes bytes, const fs::path& path) {
     if (bytes.size() > header_size && std::equal(magic.begin(), magic.end(), bytes.begin())) return;
     if (bytes.size() > any_magic.size() && std::equal(any_magic.begin(), any_magic.end(), bytes.begin())) {
@@ -73,7 +74,7 @@ std::array<unsigned char, header_size> header_of(Bytes image) {
     return header;
 }
 
-/// The temporary file carries a lock while it is written, so that a sweep by another process leaves it alone.
+/// The temporary file is locked while it is written, so that a sweep by another process leaves it alone.
 bool lock_and_still_there(OpenFile& file) {
     return file.try_lock() != OpenFile::Lock::busy && file.has_name();
 }
@@ -111,7 +112,7 @@ void write_ic_file(const fs::path& path, const IcRecord& record) {
         OpenFile file(temporary, OpenFile::Use::writing_new);
         if (!file.is_open() && file.error() == std::errc::file_exists) continue;
         if (!file.is_open()) fail("create", temporary, file.error());
-        if (!lock_and_still_there(file)) continue;  // swept between open and lock
+        if (!lock_and_still_there(file)) continue;  // The file was swept between opening and locking.
         return write_renamed(path, temporary, file, bytes);
     }
     throw StoreError("Cannot create a temporary file beside " + name_of(path) + ".");

@@ -12,7 +12,7 @@
 namespace contactd {
 namespace {
 
-/// Canonical JSON: members in alphabetical order, no white space, numbers by their shortest text.
+/// Represents canonical JSON: members in alphabetical order, no white space, numbers by their shortest text.
 class CanonicalObject {
    public:
     void add(const char* name, double number) { members_[name] = number_text(number); }
@@ -24,7 +24,7 @@ class CanonicalObject {
         if (number) add(name, *number);
     }
     void add_object(const char* name, const CanonicalObject& object) { members_[name] = object.text(); }
-    /// A list, from the first on.
+    /// Adds a list in order.
     void add_list(const char* name, const std::vector<CanonicalObject>& list) {
         std::string text;
         for (const CanonicalObject& object : list) text += (text.empty() ? "" : ",") + object.text();
@@ -47,13 +47,13 @@ class CanonicalObject {
     std::map<std::string, std::string> members_;
 };
 
-/// How meshes are chosen for an accuracy. A new number when tables of an earlier choice should not be served any more:
-/// when they miss the accuracy or state other errors than they have. Those that are finer than need be may stay.
+/// Identifies the choice of meshes for an accuracy. Increase it if tables of an earlier choice must not be used any
+/// more, because they miss the accuracy or state wrong errors. Tables that are finer than necessary may remain.
 constexpr int accuracy_recipe = 2;
-/// Recipe of longitudinally uniform bodies: tables before the third state errors that hold for elements as long as
-/// strips are wide only.
+/// Identifies the recipe of longitudinally uniform bodies. Tables before the third state errors that are only valid for
+/// elements as long as the width of strips.
 constexpr int uniform_recipe = 3;
-/// Recipe of blocks, on meshes that are given, too: tables before the third do not state the modelling error.
+/// Identifies the recipe of blocks, also on given meshes. Tables before the third do not state the modelling error.
 constexpr int block_recipe = 3;
 
 CanonicalObject canonical(const FemSpec& fem) {

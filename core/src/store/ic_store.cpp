@@ -17,12 +17,12 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view extension = ".h5", of_owner = "by-";
 
-/// Beside a file of a newer version.
+/// Returns the tag of a file that is stored beside one of a newer version.
 std::string of_format() {
     return "format" + std::to_string(format_version);
 }
 
-/// The letters, digits, - and _ of a name as they are, all else by its number.
+/// Keeps letters, digits, - and _ of a name, and replaces other characters by their number.
 std::string escaped(const TableOwner& owner) {
     std::string text;
     for (const char c : owner) {
@@ -45,8 +45,8 @@ std::string unescaped(std::string_view text) {
     return owner;
 }
 
-/// Reads "<key>.<nx>x<ny>.h5", or the same with the tag of an owner or of a format behind the extent; nothing for any
-/// other name.
+/// Reads "<key>.<nx>x<ny>.h5", or the same with the tag of an owner or of a format after the extent. Returns nothing
+/// for any other name.
 std::optional<StoredTable> parse(const fs::path& path) {
     const std::string name = path.filename().string();
     const std::size_t key_size = name.find('.');
@@ -68,7 +68,7 @@ std::optional<StoredTable> parse(const fs::path& path) {
     return stored;
 }
 
-/// All tables, or those of one key; sizes and times are not looked up. Whatever is no file is none, and links are not
+/// Returns all tables, or those of one key, without sizes and times. Only regular files count, and links are not
 /// followed.
 std::vector<StoredTable> tables_in(const fs::path& folder, const std::string& key = "") {
     std::vector<StoredTable> tables;
@@ -85,7 +85,7 @@ std::vector<StoredTable> tables_in(const fs::path& folder, const std::string& ke
     return tables;
 }
 
-/// Those that serve a request, the smallest first.
+/// Returns the tables that serve a request, the smallest first.
 std::vector<StoredTable> serving(const fs::path& folder, const std::string& key, const IcSpec& spec,
                                  const TableOwner& owner) {
     std::vector<StoredTable> tables = tables_in(folder, key);
@@ -101,7 +101,7 @@ bool is_of_newer_version(const fs::path& path) {
     } catch (const NewerFormat&) {
         return true;
     } catch (const StoreError&) {
-        // Missing, or damaged: whoever writes under this name loses nothing.
+        // The file is missing or damaged, so overwriting it loses nothing.
     }
     return false;
 }
@@ -109,7 +109,7 @@ bool is_of_newer_version(const fs::path& path) {
 }  // namespace
 
 std::string cannot_write(const fs::path& folder) {
-    // Permissions say little: they let root write where nobody can.
+    // Permissions are not reliable: they allow root to write where writing is impossible.
     const std::error_code error = platform::cannot_make_file(folder);
     return error ? error.message() : std::string();
 }
@@ -171,7 +171,8 @@ std::optional<IcRecord> IcStore::find(const IcSpec& spec, const TableOwner& owne
             report_(std::string(error.what()) + " It was renamed to " + aside.string() + ".");
         } catch (const StoreError& error) {
             std::error_code ignored;
-            if (fs::exists(stored.path, ignored)) report_(error.what());  // else another process removed it meanwhile
+            // Otherwise another process has removed it meanwhile.
+            if (fs::exists(stored.path, ignored)) report_(error.what());
         }
     }
     return std::nullopt;
@@ -192,7 +193,7 @@ std::vector<StoredTable> IcStore::list() const {
         std::error_code error;
         stored.bytes = fs::file_size(stored.path, error);
         if (!error) stored.last_use = fs::last_write_time(stored.path, error);
-        return bool(error);  // removed meanwhile
+        return bool(error);  // It was removed meanwhile.
     });
     std::sort(tables.begin(), tables.end(),
               [](const StoredTable& a, const StoredTable& b) { return a.path.native() < b.path.native(); });

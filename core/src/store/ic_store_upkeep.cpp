@@ -1,4 +1,4 @@
-// Upkeep of the store's folder: sweeping, times of use, eviction.
+// Maintains the store's folder: sweeping, times of use, eviction.
 #include <algorithm>
 #include <chrono>
 #include <system_error>
@@ -12,8 +12,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto smallest_step = std::chrono::microseconds(1);  // between two times of use
-constexpr auto clock_step = std::chrono::seconds(1);          // a clock that many behind the last use was set back
+constexpr auto smallest_step = std::chrono::microseconds(1);  // least difference of two times of use
+// A clock that is this much behind the last use was set back.
+constexpr auto clock_step = std::chrono::seconds(1);
 
 struct AsideFile {
     fs::path path;
@@ -21,19 +22,19 @@ struct AsideFile {
     fs::file_time_type time;
 };
 
-/// Whether a file of the store's folder may be one of the store's, of which every name begins with a key.
+/// Returns whether a file of the folder may belong to the store, whose file names all begin with a key.
 bool begins_with_key(const fs::path& path) {
     const std::string name = path.filename().string();
     return is_ic_key(name.substr(0, name.find('.')));
 }
 
-/// Links are not followed, and what is no file is left alone.
+/// Links are not followed, and other things than files are left alone.
 bool is_file(const fs::directory_entry& entry) {
     std::error_code gone;
     return fs::is_regular_file(entry.symlink_status(gone));
 }
 
-/// Damaged tables that were set aside, the oldest first.
+/// Returns the damaged tables that were set aside, the oldest first.
 std::vector<AsideFile> set_aside_in(const fs::path& folder) {
     std::vector<AsideFile> files;
     std::error_code error, ignored;
@@ -49,7 +50,7 @@ bool contains(const std::vector<std::string>& keys, const std::string& key) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
-/// Opening a lock and giving it back removes its file; one that is held stays.
+/// Locking and releasing an unused lock removes its file; the file of a held lock stays.
 bool remove_abandoned_lock(const fs::path& path) {
     TableLock lock(path);
     return lock.try_lock() == TableLock::State::held;
@@ -62,7 +63,7 @@ int IcStore::sweep() const {
     std::error_code error, ignored;
     for (fs::directory_iterator entry(folder_, error), end; !error && entry != end; entry.increment(error)) {
         const fs::path& path = entry->path();
-        if (!begins_with_key(path)) continue;  // the folder may hold what others left there
+        if (!begins_with_key(path)) continue;  // The folder may contain files of others.
         if (path.extension() == ".tmp" && is_file(*entry) && is_abandoned(path))
             swept += fs::remove(path, ignored);
         else if (path.extension() == ".lock" && is_file(*entry))
@@ -85,7 +86,7 @@ IcStore::Time IcStore::time_of_use() const {
 }
 
 void IcStore::note_use(const fs::path& path, Time used) const {
-    // The file's own time, so that nothing is rewritten, and everybody who has the folder sees it.
+    // The time of use is that of the file, so that nothing is rewritten, and all users of the folder see it.
     std::error_code error;
     const Time known = fs::last_write_time(path, error);
     if (!error && (known < used || known > Time::clock::now())) fs::last_write_time(path, used, error);
@@ -96,9 +97,9 @@ void IcStore::settle_times() const {
     try {
         tables = list();
     } catch (const StoreError&) {
-        return;  // nothing that can be read has a time
+        return;  // Nothing that can be read has a time.
     }
-    const auto now = Time::clock::now();  // after looking: what others use meanwhile lies in the past
+    const auto now = Time::clock::now();  // It is after listing, so that uses by others meanwhile lie in the past.
     std::erase_if(tables, [&](const StoredTable& table) { return table.last_use <= now; });
     std::sort(tables.begin(), tables.end(),
               [](const StoredTable& a, const StoredTable& b) { return a.last_use < b.last_use; });

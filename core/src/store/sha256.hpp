@@ -1,4 +1,4 @@
-// SHA-256 as lower-case hex.
+// Computes SHA-256 as lower-case hex.
 #pragma once
 
 #include <span>
@@ -6,7 +6,7 @@
 
 namespace contactd {
 
-/// By libsodium; on Windows by the system.
+/// Uses libsodium, or the system's implementation on Windows.
 std::string sha256_hex(std::span<const unsigned char> bytes);
 
 }  // namespace contactd

@@ -24,7 +24,7 @@ std::string sha256_hex(std::span<const unsigned char> bytes) {
         BCRYPT_ALG_HANDLE handle = nullptr;
         Provider() { check(::BCryptOpenAlgorithmProvider(&handle, BCRYPT_SHA256_ALGORITHM, nullptr, 0)); }
     };
-    static const Provider sha256;  // as long as the process
+    static const Provider sha256;  // It lives as long as the process.
     std::array<unsigned char, 32> hash;
     BCRYPT_HASH_HANDLE begun = nullptr;
     check(::BCryptCreateHash(sha256.handle, &begun, nullptr, 0, nullptr, 0, 0));

@@ -22,9 +22,7 @@ using enum Axis;
 
 constexpr double rounding = 1e-9;
 
-// --- against closed forms --------------------------------------------------------------------------------------------
-
-/// `allowed`: what is stated, and what interpolation between Poisson's ratios adds.
+/// `allowed` is the stated error plus the error of interpolation between Poisson's ratios.
 void require_at_most(double found, double allowed, const char* component) {
     if (found <= allowed * (1 + 1e-6) + rounding) return;
     refuse(std::string("have errors of ") + component + " of " + number_text(found) +
@@ -48,12 +46,10 @@ void require_stated_errors(const IcTable& table, const IcSpec& spec, const IcEvi
     require_at_most(*found.errors.scaled_xz, allowed(*errors.scaled_xz), "xz, zx, yz or zy (the same)");
 }
 
-// --- blocks, which have no closed form -------------------------------------------------------------------------------
-
 /// A block differs from the half-space by a smooth field as large as the half-space's displacements at its faces, which
-/// are some h/L of those under the load; errors that are stated come on top.
+/// are some h/L of those under the load. Stated errors are added to it.
 constexpr double share_at_faces = 3, least_share = 0.02;
-constexpr double largest_defect = 0.1;  // of reciprocity: a block does not look quite the same from every element
+constexpr double largest_defect = 0.1;  // of reciprocity: coefficients of a block depend slightly on the loaded element
 
 void require_near_half_space(const IcTable& table, const IcSpec& spec, const IcEvidence& stated) {
     IcSpec half_space = spec;
@@ -76,7 +72,7 @@ void require_near_half_space(const IcTable& table, const IcSpec& spec, const IcE
                            "; a block of this size cannot differ by that much");
 }
 
-/// u_i here by a load j there is u_j there by a load i here.
+/// The displacement u_i here by a load j there equals u_j there by a load i here.
 void require_reciprocal(const IcTable& table, const IcSpec& spec, const IcEvidence& stated) {
     const double scale = 2 * std::numbers::pi * spec.material.G / (spec.dx * spec.dy);
     const double allowed = largest_defect + 2 * std::max(stated.modelling_error.value_or(0), 0.0);
@@ -93,16 +89,14 @@ void require_reciprocal(const IcTable& table, const IcSpec& spec, const IcEviden
         }
 }
 
-// --- work ------------------------------------------------------------------------------------------------------------
-
 using Matrix = Eigen::MatrixXd;
 
 bool is_positive_definite(const Matrix& matrix) {
     return Eigen::LLT<Matrix>(matrix).info() == Eigen::Success;
 }
 
-/// Elements on a lattice are a part of all elements, and a part of a positive definite matrix is one, too: lattices of
-/// ever wider strides see short waves and long ones.
+/// A principal submatrix of a positive definite matrix is positive definite, too, so elements on a lattice are
+/// sufficient. Lattices of increasing strides check short and long waves.
 constexpr int lattice = 8;
 
 void require_work(const IcTable& table, const Observer& observer) {
@@ -124,9 +118,9 @@ void require_work(const IcTable& table, const Observer& observer) {
     }
 }
 
-constexpr int window = 64;  // strips that are looked at together
+constexpr int window = 64;  // strips that are checked together
 
-/// Strips first, first + stride, ...
+/// Checks the strips first, first + stride, ...
 bool is_sound(const StripSpectrum& spectrum, std::size_t node, int first, int stride, int count, double slack) {
     Matrix matrix(3 * count, 3 * count);
     const auto entry = [&](int n) { return 3 * (first + stride * (n / 3)) + n % 3; };

@@ -18,7 +18,7 @@ namespace {
     throw InvalidArgument("datasets", why);
 }
 
-/// A refusal of its contents by contactd::validate means that the file is wrong.
+/// Converts refusals by contactd::validate to errors of the file.
 template <class Check>
 void check_as_file(const Check& check) {
     try {
@@ -52,7 +52,7 @@ void require_frames(const StripSpectrum& spectrum, const IcSpec& spec) {
         refuse("contain frames of strips that do not match the section");
 }
 
-/// Tables lie at these Poisson's ratios and no others, or none in between can be told.
+/// Tables must lie at exactly these Poisson's ratios, because interpolation between others is impossible.
 void require_points(const std::vector<double>& family_nu) {
     if (family_nu.size() >= 4 && family_nu.size() % 2 == 0) {
         const std::vector<double> points = family_points(static_cast<int>(family_nu.size() / 2));

@@ -9,17 +9,18 @@ using platform::OpenFile;
 TableLock::~TableLock() {
     if (!file_) return;
     std::error_code ignored;
-    std::filesystem::remove(path_, ignored);  // while it is locked, so that nobody else holds what is removed
+    // The file is removed while locked, so that nobody else holds a removed file.
+    std::filesystem::remove(path_, ignored);
 }
 
 TableLock::State TableLock::try_lock() {
     constexpr int tries = 16;
     for (int n = 0; n < tries; ++n) {
         OpenFile file(path_, OpenFile::Use::locking);
-        if (!file.is_open() || !file.is_regular()) return State::unavailable;  // somebody may have put a FIFO there
+        if (!file.is_open() || !file.is_regular()) return State::unavailable;  // It may be a FIFO, for example.
         const OpenFile::Lock lock = file.try_lock();
         if (lock != OpenFile::Lock::held) return lock == OpenFile::Lock::busy ? State::busy : State::unavailable;
-        // It may have been removed, or another may have taken its name, before it was locked.
+        // The file may have been removed or replaced before it was locked.
         if (file.is_at(path_)) {
             file_ = std::move(file);
             return State::held;

@@ -1,4 +1,4 @@
-// Group `evidence`: what made a table and how good it is.
+// Reads and writes the group `evidence`: the origin and the accuracy of a table.
 #include <array>
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-// Group `spec`: what a table is.
+// Reads and writes the group `spec`: the identity of a table.
 #include "contactd/fem_fields.hpp"
 #include "contactd/fields/ic_spec.hpp"
 #include "contents_parts.hpp"
@@ -44,7 +44,7 @@ Layers read_layers(const Group& group) {
     return body;
 }
 
-/// A dataset, since attributes are small.
+/// Writes a dataset, because attributes must be small.
 void write_section(const WritableGroup& group, const Section& section, bool has_dimensions) {
     const std::vector<double> numbers = numbers_of(section);
     group.contents.datasets[group.prefix + "section"] = {{numbers.size()}, UnsetArray(numbers.begin(), numbers.end())};

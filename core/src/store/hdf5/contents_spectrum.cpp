@@ -1,4 +1,4 @@
-// Datasets of a longitudinally uniform body: the transform of its coefficients.
+// Reads and writes datasets of a longitudinally uniform body: the transform of its coefficients.
 #include <algorithm>
 #include <cmath>
 #include <functional>

@@ -1,4 +1,4 @@
-// Values of an IC file by their names: numbers, whole numbers, texts, and lists of them.
+// Accesses values of an IC file by name: numbers, whole numbers, texts, and lists of them.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@
 
 namespace contactd {
 
-/// A group or a dataset of a file that is written; `prefix` is its path with a slash, empty for the file itself.
+/// Represents a group or a dataset of a file that is written; `prefix` is its path with a slash, empty for the file
+/// itself.
 struct WritableGroup {
     FileContents& contents;
     std::string prefix{};
@@ -20,7 +21,7 @@ struct WritableGroup {
     WritableGroup below(const std::string& name) const { return {contents, prefix + name + '/'}; }
 };
 
-/// A group or a dataset of a file that is read.
+/// Represents a group or a dataset of a file that is read.
 struct Group {
     const FileContents& contents;
     std::string prefix{};
@@ -37,7 +38,7 @@ void put(const WritableGroup& at, const char* name, std::string_view value);
 void put(const WritableGroup& at, const char* name, const std::vector<double>& values);
 void put(const WritableGroup& at, const char* name, const std::vector<std::string>& values);
 
-/// These throw DamagedTable when there is no such value, the lists but return nothing then.
+/// These throw DamagedTable if the value is missing; a missing list is empty instead.
 double number(const Group& at, const char* name);
 long long long_integer(const Group& at, const char* name);
 int integer(const Group& at, const char* name);
@@ -45,7 +46,7 @@ std::string text(const Group& at, const char* name);
 std::vector<double> numbers(const Group& at, const char* name);
 std::vector<std::string> texts(const Group& at, const char* name);
 
-/// The enumerator whose name stands there. Throws DamagedTable when none has it.
+/// Returns the enumerator with the stored name. Throws DamagedTable if there is none.
 template <HasWords Enum>
 Enum named(const Group& at, const char* name) {
     Enum value{};
@@ -53,8 +54,7 @@ Enum named(const Group& at, const char* name) {
     return value;
 }
 
-/// Fields of other types are written as one of those above; where a number that may be left out has no attribute, it
-/// was left out.
+/// Writes fields of other types as one of those above. Absent optional numbers have no attribute.
 template <HasWords Enum>
 void put(const WritableGroup& at, const char* name, Enum value) {
     put(at, name, name_of(value));
@@ -62,7 +62,7 @@ void put(const WritableGroup& at, const char* name, Enum value) {
 void put(const WritableGroup& at, const char* name, int value);
 void put(const WritableGroup& at, const char* name, const std::optional<double>& value);
 
-/// Sets `value` to what stands there.
+/// Sets `value` to the stored one.
 template <HasWords Enum>
 void get(const Group& at, const char* name, Enum& value) {
     value = named<Enum>(at, name);
@@ -72,7 +72,7 @@ void get(const Group& at, const char* name, int& value);
 void get(const Group& at, const char* name, long long& value);
 void get(const Group& at, const char* name, std::optional<double>& value);
 
-/// The dataset of that name. Throws DamagedTable when there is none or it does not have as many axes.
+/// Returns the dataset of that name. Throws DamagedTable if it is missing or has another number of axes.
 const FileContents::Array& array(const Group& at, const char* name, std::size_t axes);
 
 }  // namespace contactd

@@ -11,7 +11,7 @@ namespace contactd {
 namespace {
 
 constexpr std::array<unsigned char, 5> signature{'G', 'C', 'O', 'L', 1};
-constexpr std::size_t block_header_size = 16;  // of a collection, and of an object
+constexpr std::size_t block_header_size = 16;  // header of a collection, and of an object
 
 std::uint64_t number_at(std::span<const unsigned char> image, std::size_t at, std::size_t bytes) {
     std::uint64_t number = 0;
@@ -19,7 +19,7 @@ std::uint64_t number_at(std::span<const unsigned char> image, std::size_t at, st
     return number;
 }
 
-/// Bytes up to the next object. The one of index 0 is free space, whose size counts its header.
+/// Returns the bytes up to the next object. The object of index 0 is free space, whose size includes its header.
 std::uint64_t room_of(std::uint64_t index, std::uint64_t size) {
     constexpr std::uint64_t aligned = 7;
     return index == 0 ? size : block_header_size + ((size + aligned) & ~aligned);

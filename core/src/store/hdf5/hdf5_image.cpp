@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t core_increment = 1 << 20;
 
-/// Debian's HDF5 is not built thread-safe: one thread at a time.
+/// Only one thread at a time may call Debian's HDF5, which is not built thread-safe.
 std::mutex& hdf5_mutex() {
     static std::mutex mutex;
     return mutex;
@@ -24,7 +24,7 @@ std::vector<hsize_t> extents_of(const std::vector<std::size_t>& shape) {
     return {shape.begin(), shape.end()};
 }
 
-/// Writes attributes and datasets below the groups of their paths, which it makes.
+/// Writes attributes and datasets below the groups of their paths, which it creates.
 class Writer {
    public:
     explicit Writer(H5::H5File& file) : file_(file) {}
@@ -80,8 +80,8 @@ class Writer {
         at.createAttribute(name, text(), list_of(values.size())).write(text(), pointers.data());
     }
 
-    /// Made when it is first asked for: HDF5's own types may be made after a global of ours, where both are in one
-    /// library.
+    /// The type is created on first use, because HDF5's own types may be created after a global of ours if both are in
+    /// one library.
     static const H5::StrType& text() {
         static const H5::StrType type{H5::PredType::C_S1, H5T_VARIABLE};
         return type;
@@ -119,7 +119,7 @@ FileContents from_hdf5(std::span<const unsigned char> image) {
     try {
         H5::FileAccPropList in_memory;
         in_memory.setCore(core_increment, false);
-        // HDF5 takes a pointer to what may be changed, and copies it.
+        // HDF5 takes a pointer to non-const data, and copies the data.
         if (H5Pset_file_image(in_memory.getId(), const_cast<unsigned char*>(image.data()), image.size()) < 0)
             throw StoreError("HDF5 did not accept the image of the table.");
         const H5::H5File file("contactd-ic-table", H5F_ACC_RDONLY, H5::FileCreatPropList::DEFAULT, in_memory);

@@ -1,5 +1,5 @@
-// The contents of an IC file as an HDF5 image in memory. HDF5 itself never touches the disk, so that a file can be
-// checked before HDF5 parses it and written in one go.
+// Converts the contents of an IC file to an HDF5 image in memory and back. HDF5 itself never accesses the disk, so that
+// a file can be checked before HDF5 parses it, and written at once.
 #pragma once
 
 #include <span>
@@ -9,12 +9,12 @@
 
 namespace contactd {
 
-/// Throws StoreError.
+/// Returns the image of the contents. Throws StoreError.
 std::vector<unsigned char> to_hdf5(const FileContents& contents);
 
-/// Everything that the image holds. Throws NewerFormat, and DamagedTable for whatever to_hdf5 does not write: links
-/// that are not hard, values outside the image, layouts, filters and types of other kinds, extents that the image has
-/// no room for. No data is read before all of that is known of it.
+/// Returns the contents of the image. Throws NewerFormat, and DamagedTable for anything that to_hdf5 does not write:
+/// links that are not hard, values outside the image, layouts, filters and types of other kinds, and extents larger
+/// than the image allows. Data are read only after these checks.
 FileContents from_hdf5(std::span<const unsigned char> image);
 
 }  // namespace contactd

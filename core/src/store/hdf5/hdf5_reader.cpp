@@ -11,14 +11,14 @@ namespace contactd {
 namespace {
 
 constexpr int deepest_group = 3;
-constexpr hsize_t most_links = 100;      // of a group
-constexpr std::size_t most_texts = 200;  // of a list, since HDF5 allocates all of them at once
+constexpr hsize_t most_links = 100;      // limit of a group
+constexpr std::size_t most_texts = 200;  // limit of a list, because HDF5 allocates all of them at once
 
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
     throw DamagedTable((path.empty() ? "The file" : path + " of the file") + " " + why + ".");
 }
 
-/// Texts in memory that HDF5 has allocated, given back to it whatever happens.
+/// Holds texts in memory that HDF5 has allocated, and always returns them to it.
 class Texts {
    public:
     Texts(const H5::Attribute& at, std::size_t size)
@@ -45,7 +45,7 @@ std::string name_of_link(const H5::Group& at, hsize_t index, const std::string& 
     return {name.data(), static_cast<std::size_t>(size)};
 }
 
-/// Sizes of an attribute's list; of a scalar there are none.
+/// Returns the sizes of an attribute's list; a scalar has none.
 std::vector<hsize_t> extents_of(const H5::DataSpace& space, const std::string& path, int most_axes) {
     const int axes = ::H5Sget_simple_extent_ndims(space.getId());
     if (::H5Sget_simple_extent_type(space.getId()) == H5S_NULL || axes < 0 || axes > most_axes)
@@ -67,7 +67,7 @@ FileContents Hdf5Reader::read(const H5::H5File& file) {
     const FileContents::Value format = value(root.openAttribute(format_name), format_name);
     const auto* number = std::get_if<long long>(&format);
     if (number == nullptr) refuse(format_name, "is not a whole number");
-    check_format(*number);  // first, since another format may have anything
+    check_format(*number);  // The format is checked first, because other formats may contain anything.
     group(root, "", 0);
     return std::move(contents_);
 }
@@ -168,7 +168,7 @@ FileContents::Value Hdf5Reader::texts(const H5::Attribute& at, const std::string
     return result.front();
 }
 
-/// Data that several links or texts share is counted as often as it is read.
+/// Data that several links or texts share are counted each time they are read.
 void Hdf5Reader::take(std::size_t bytes, const std::string& path) {
     if (bytes > bytes_ - taken_) refuse(path, "exceeds the size of the file");
     taken_ += bytes;

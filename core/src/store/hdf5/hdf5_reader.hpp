@@ -1,4 +1,4 @@
-// Everything that an HDF5 file of ours holds; what is not of our making is refused before any of its data is read.
+// Reads the contents of our HDF5 files. Anything that we do not write is refused before data are read.
 #pragma once
 
 #include <H5Cpp.h>
@@ -12,10 +12,10 @@ namespace contactd {
 
 class Hdf5Reader {
    public:
-    /// Data, links and texts together may be no larger than the file, which has `bytes`.
+    /// Data, links and texts together may not exceed the size of the file, `bytes`.
     explicit Hdf5Reader(std::size_t bytes) : bytes_(bytes) {}
 
-    /// Throws NewerFormat, DamagedTable and H5::Exception.
+    /// Returns the contents. Throws NewerFormat, DamagedTable and H5::Exception.
     FileContents read(const H5::H5File& file);
 
    private:

@@ -1,4 +1,4 @@
-// The datasets of an IC file, and what belongs to its root.
+// Reads and writes the datasets of an IC file, and the attributes of its root.
 #include "contactd/ic_contents.hpp"
 
 #include <array>
@@ -11,8 +11,8 @@
 namespace contactd {
 namespace {
 
-constexpr std::size_t most_offsets = 1 << 22;  // of a table
-constexpr std::size_t most_tables = 1000;      // of a family
+constexpr std::size_t most_offsets = 1 << 22;  // limit of a table
+constexpr std::size_t most_tables = 1000;      // limit of a family
 
 constexpr const char* table_name = "influence_coefficients";
 constexpr const char* family_name = "influence_coefficients_family";
@@ -30,7 +30,7 @@ void write_table(const WritableGroup& file, const IcTable& table, bool has_dimen
     put(dataset, "units", has_dimensions ? units_with_dimensions : units);
 }
 
-/// Writes what the transform gives for the strips and offsets of a request: others read it, contactd the transform.
+/// Writes the table of the strips and offsets of a request for other programs. contactd itself reads the transform.
 void write_strips(const WritableGroup& file, const IcRecord& record) {
     auto table = std::get<StripTable>(body_table(record, record.spec));
     const auto nx = static_cast<std::size_t>(table.nx), strips = static_cast<std::size_t>(table.strips);
@@ -67,7 +67,7 @@ IcTable read_table(FileContents& contents) {
     return table;
 }
 
-/// Reads as many tables as `size`, each of the extent of `first`.
+/// Reads `size` tables, each of the extent of `first`.
 std::vector<IcTable> read_family(const FileContents& contents, std::size_t size, const IcTable& first) {
     if (!contents.datasets.contains(family_name))
         throw DamagedTable("The spec is that of a family, which the file does not contain.");

@@ -68,7 +68,7 @@ class Reader {
         if (next_ == numbers_.size()) throw DamagedTable("The section of the file ends too early.");
         return numbers_[next_++];
     }
-    /// Below `end`.
+    /// Reads a count, which must be below `end`.
     std::size_t count(std::size_t end) {
         const double value = number();
         if (!(value >= 0 && value < static_cast<double>(end)))

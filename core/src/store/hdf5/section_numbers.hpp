@@ -1,5 +1,5 @@
-// A section as a list of numbers, for files and keys: fields in the order of section_fields.hpp; flags and words by
-// their number, lists behind how many there are, alternatives behind which one it is.
+// Converts a section to a list of numbers, for files and keys. Fields are in the order of section_fields.hpp. Flags and
+// words are numbers, lists follow their length, and alternatives follow their index.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@ namespace contactd {
 
 std::vector<double> numbers_of(const Section& section);
 
-/// Throws DamagedTable when they are none of a section.
+/// Returns the section. Throws DamagedTable if the numbers are not those of a section.
 Section section_from(const std::vector<double>& numbers);
 
 }  // namespace contactd

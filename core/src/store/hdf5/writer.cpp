@@ -57,7 +57,7 @@ bool is_abandoned(const fs::path& temporary) {
     const std::optional<Writer> writer = writer_of(temporary);
     if (!writer) return lock == Lock::free;
     if (writer->boot != platform::boot_name())
-        return writer->host == platform::host_name();  // this machine has been started again since
+        return writer->host == platform::host_name();  // whether this machine has been restarted since
     return lock == Lock::free || platform::start_of(writer->process) != writer->start;
 }
 

@@ -1,5 +1,5 @@
-// Who writes a temporary file: a name from which every process that shares the folder can tell whether its writer
-// lives.
+// Names the writer of a temporary file, so that every process that shares the folder can determine whether the writer
+// is alive.
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,13 @@
 
 namespace contactd {
 
-/// "<boot>-<process>-<start time>-<host>" of this process: no other process, before or after, has the same.
+/// Returns "<boot>-<process>-<start time>-<host>" of this process, which is unique among all processes, past and
+/// future.
 const std::string& writer_name();
 
-/// True when it is certain that the writer of this temporary file is dead. A living one holds a lock on its file; where
-/// the file system has no locks, or keeps them to each machine, the name decides, and what another machine may still be
-/// writing is left to that machine.
+/// Returns true if the writer of this temporary file is certainly dead. A living one holds a lock on its file. If the
+/// file system has no locks, or only local ones, the name decides. A file that another machine may still be writing is
+/// left to that machine.
 bool is_abandoned(const std::filesystem::path& temporary);
 
 }  // namespace contactd
