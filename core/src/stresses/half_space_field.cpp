@@ -13,15 +13,16 @@ namespace {
 
 using Vector = std::array<double, 3>;
 
-// Boussinesq: displacements times 4 pi G at (x, y) and depth d below a unit force along +z, out of the body (Johnson,
-// section 3.2, with his z axis and force turned round).
+// Returns Boussinesq's displacements times 4 pi G at (x, y) and depth d below a unit force along +z, out of the body
+// (Johnson, section 3.2, with z axis and force reversed).
 Vector normal_force(double x, double y, double d, double nu) {
     const double r = std::hypot(x, y, d);
     const double lateral = (1 - 2 * nu) / (r * (r + d)) - d / (r * r * r);
     return {x * lateral, y * lateral, (d * d / (r * r) + 2 * (1 - nu)) / r};
 }
 
-// Cerruti: the same for a unit force along +x (Johnson, section 3.6, with his z axis turned round).
+// Returns Cerruti's displacements for a unit force along +x in the same form (Johnson, section 3.6, with the z axis
+// reversed).
 Vector tangential_force(double x, double y, double d, double nu) {
     const double r = std::hypot(x, y, d), r3 = r * r * r;
     const double ratio = (1 - 2 * nu) / (r + d), quadratic = 1 / r3 - ratio / (r * (r + d));
@@ -53,9 +54,9 @@ Vector mean_over(const Rule& rule, double half_x, double half_y, Axis load, cons
 std::array<double, 3> half_space_displacement(const IcSpec& spec, Axis load, const std::array<double, 3>& point) {
     const auto [x, y, z] = point;
     const double distance = std::hypot(x, y, z), size = std::max(spec.dx, spec.dy);
-    if (!(z <= 1e-9 * std::max(distance, size)))  // rounding of a mesh may leave the surface
+    if (!(z <= 1e-9 * std::max(distance, size)))  // Rounding errors of a mesh may exceed the surface.
         throw InvalidArgument("point", "has z = " + number_text(z) + "; it must be <= 0, inside the half-space");
-    // An n-point rule errs by about (2 distance/half)^(-2n), half being that of the load's support.
+    // An n-point rule has an error of about (2 distance/half)^(-2n), with `half` that of the load's support.
     const double nu = spec.material.nu;
     const bool far = distance > 100 * size;
     Vector mean;

@@ -5,7 +5,7 @@
 // and under one along x, with h = t_xx - t_yy - 2 r,
 //   zz  i c t_zz                  xx  i c (t_yy + 2 r + c^2 h)    yy  i c (t_xx - 2 r - c^2 h)
 //   xy  i s (r + c^2 h)           xz  q + c^2 (t_xz - q)          yz  c s (t_xz - q)
-// Those of a load along y follow by exchanging x and y. i c/k and i s/k are derivatives; c^2 is (J_0 - cos 2 theta
+// Those under a load along y follow by exchanging x and y. i c/k and i s/k are derivatives; c^2 is (J_0 - cos 2 theta
 // J_2)/2 in space.
 #include "layered_element.hpp"
 
@@ -53,7 +53,7 @@ ElementStresses LayeredElement::stresses(const EdgeSums& left, const EdgeSums& r
 
     const double normal_rest = divergence(normal_yy), shear_rest = divergence(across_yz);
     const double shear_mixed = d_x(y, shear_difference);
-    // Parts of c^2 h, by sides across x and across y.
+    // These are parts of c^2 h, by sides across x and across y.
     const auto h = [&](const auto& d) { return d(scalar, shear_xx) - d(scalar, shear_yy) - 2 * d(scalar, across_xy); };
     const double h_x = h(d_x) / 2, h_y = h(d_y) / 2, third_x = d_x(scalar, third) / 2, third_y = d_y(scalar, third) / 2;
     const double r_x = d_x(scalar, across_xy), r_y = d_y(scalar, across_xy);

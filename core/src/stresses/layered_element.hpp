@@ -1,4 +1,4 @@
-// Stresses at a depth of a layered body under unit tractions on one element, at offsets from it.
+// Computes stresses at a depth of a layered body under unit tractions on one element, at offsets from it.
 #pragma once
 
 #include <array>
@@ -12,27 +12,27 @@
 
 namespace contactd {
 
-/// Under a traction along x, y and z.
+/// Holds the stresses under a traction along x, y and z.
 using ElementStresses = std::array<StressComponents, 3>;
 
-/// All kernels are divergences or gradients of fields made of StressRadials, so that integrals along the four edges of
-/// the element are left.
+/// All kernels are divergences or gradients of fields made of StressRadials. Therefore, only integrals along the four
+/// edges of the element are needed.
 class LayeredElement {
    public:
     LayeredElement(const StressWaves& waves, double largest);
 
-    /// [l][k], without what the half-space adds in the first layer. Throws Cancelled when the observer, which is asked
-    /// row by row, says so.
+    /// Returns stresses in the order [l][k], without the part that the half-space adds in the first layer. Throws
+    /// Cancelled if the observer, which is called for each row, cancels.
     std::vector<ElementStresses> at(const OffsetLattice& offsets, const Observer& observer) const;
 
    private:
-    /// Sums of fields along an edge: those along e_rho with the direction cosine along x and along y, the scalar ones,
-    /// and the last one with cos 2 theta.
+    /// Holds sums of fields along an edge: those along e_rho with the direction cosine along x and along y, the scalar
+    /// ones, and the last one with cos 2 theta.
     struct EdgeSums {
         std::array<double, StressRadial::normal_xz> x{}, y{};
         std::array<double, StressRadial::count> scalar{};
     };
-    EdgeSums across_x(double x, double from, double to) const;  // on the line x
+    EdgeSums across_x(double x, double from, double to) const;  // along an edge at x
     EdgeSums across_y(double y, double from, double to) const;
     void add(const StressRadial::Values& values, double cos, double sin, double weight, EdgeSums& sums) const;
     static ElementStresses stresses(const EdgeSums& left, const EdgeSums& right, const EdgeSums& bottom,

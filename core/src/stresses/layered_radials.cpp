@@ -14,7 +14,7 @@ using Values = StressRadial::Values;
 using enum StressRadial::Function;
 
 constexpr double per_two_pi = 0.5 / std::numbers::pi;
-constexpr double smallest = 1e-9;  // of k times a distance: what is below has no effect
+constexpr double smallest = 1e-9;  // of k times a distance; smaller values have no effect
 
 Values spectra(const StressWave& wave) {
     const auto& [n, t, yz, xy] = wave;
@@ -43,7 +43,7 @@ double second_bessel(double z, double J0, double J1) {
     return z < 0.1 ? z * z / 8 * (1 - z * z / 12 * (1 - z * z / 32)) : 2 * J1 / z - J0;
 }
 
-/// Integrals of the spectra times powers of k from 0 on, in panels that grow with k.
+/// Integrates the spectra times powers of k from 0 on, in panels that grow with k.
 class Moments {
    public:
     Moments(const StressWaves& waves, double first) : waves_(waves), gauss_(gauss_legendre(20)), next_(first) {
@@ -52,7 +52,7 @@ class Moments {
     void extend(double to) {
         for (; below_ < to; next_ *= 2) add_panel(below_, std::min(next_, to));
     }
-    /// Returns the values of all below, at a distance rho with k rho << 1.
+    /// Returns the integrals up to `below_`, at a distance rho with k rho << 1.
     Values at(double rho) const {
         Values sum{};
         for (std::size_t f = 0; f < sum.size(); ++f) {
@@ -84,7 +84,8 @@ class Moments {
     std::array<Values, 4> powers_{};
 };
 
-/// At the distances p rho of the wavenumbers' rule; `below`: up to its least wavenumber.
+/// Returns the values at the distances p rho of the wavenumbers' rule; `below` contains the integrals up to its least
+/// wavenumber.
 std::vector<Values> at_octave(const StressWaves& waves, double p, const Moments& below) {
     const Wavenumbers& rule = wavenumbers();
     std::vector<Values> result;
@@ -101,7 +102,7 @@ std::vector<Values> at_octave(const StressWaves& waves, double p, const Moments&
     return result;
 }
 
-/// At the distances rho, all of them at most `largest`, no more than the scale.
+/// Returns the values at the distances rho, which are at most `largest` and not above the scale.
 std::vector<Values> near(const StressWaves& waves, const std::vector<double>& rho, double largest) {
     const std::vector<GaussPoint> gauss = gauss_legendre(20);
     std::vector<Values> result(rho.size());
@@ -162,7 +163,7 @@ StressRadial::Values StressRadials::at(double rho) const {
         x = 2 * std::ldexp(rho / first_, -octave) - 3;
     }
     const Interval& coefficients = intervals_[interval];
-    Values b1{}, b2{};  // Clenshaw
+    Values b1{}, b2{};  // for Clenshaw's recurrence
     for (std::size_t n = nodes - 1; n > 0; --n)
         for (std::size_t f = 0; f < b1.size(); ++f) {
             const double b0 = coefficients[n][f] + 2 * x * b1[f] - b2[f];

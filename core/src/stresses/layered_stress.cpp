@@ -14,7 +14,7 @@
 namespace contactd {
 namespace {
 
-/// Asks whether to go on, and says nothing.
+/// Forwards cancellation, but no progress.
 class Silent final : public Observer {
    public:
     explicit Silent(const Observer& observer) : observer_(observer) {}
@@ -26,13 +26,13 @@ class Silent final : public Observer {
 
 struct Place {
     double x, y;
-    std::size_t index;  // of the result
+    std::size_t index;  // index in the result
 };
 
-/// Points at one depth that differ by whole elements, counted from the first loaded element.
+/// Holds points at one depth that differ by whole elements, counted from the first loaded element.
 struct Lattice {
     double fraction_x, fraction_y;
-    using Point = Place;  // its x and y are whole numbers of elements
+    using Point = Place;  // x and y are whole numbers of elements
     std::vector<Point> points;
 };
 
@@ -70,7 +70,7 @@ class DepthStress {
     };
 
     static double steps(double coordinate, double first, double size) {
-        constexpr double resolution = 0x1p-40;  // above rounding, and exact for halves of elements
+        constexpr double resolution = 0x1p-40;  // above rounding errors, and exact for halves of elements
         return std::round((coordinate - first) / size / resolution) * resolution;
     }
     double farthest(const std::vector<Place>& places) const {
@@ -88,8 +88,8 @@ class DepthStress {
                                 [coordinate](const auto& a, const auto& b) { return a.*coordinate < b.*coordinate; });
         return {(*least).*coordinate, (*most).*coordinate};
     }
-    /// Whether offsets between all points and elements are fewer than the pairs of both, and no more than those of a
-    /// raster of the largest grid.
+    /// Returns whether there are fewer offsets between all points and elements than pairs of them, and no more than in
+    /// a raster of the largest grid.
     bool shares(const Lattice& lattice) const {
         const double offsets = (span(lattice, &Lattice::Point::x).count() + patch_.nx()) *
                                (span(lattice, &Lattice::Point::y).count() + patch_.ny());
@@ -130,7 +130,7 @@ class DepthStress {
     std::vector<Lattice> lattices_;
 };
 
-/// From the half-space's stresses at the same points.
+/// Converts the half-space's stresses at the points to those in layers.
 SubsurfaceStress in_layers(const Grid& grid, const SurfaceTractions& tractions, const Layers& body,
                            SubsurfaceStress result, const std::map<double, std::vector<Place>>& depths,
                            const char* field, Observer& observer) {

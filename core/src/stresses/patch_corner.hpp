@@ -1,4 +1,4 @@
-// What the fields below a loaded rectangle are made of, at one of its corners.
+// Defines the functions at a corner of a loaded rectangle from which the fields below it are computed.
 #pragma once
 
 #include <algorithm>
@@ -6,15 +6,15 @@
 
 namespace contactd {
 
-/// A point at (x, y) from the corner, and at the depth d >= 0 below it. Distances below `smallest` count as `smallest`
-/// where a field is infinite.
+/// Describes a point at (x, y) from the corner, at the depth d >= 0 below it. Distances below `smallest` count as
+/// `smallest` where a field is infinite.
 struct PatchCorner {
     double x, y, d, smallest, rho;
 
     PatchCorner(double x_, double y_, double d_, double smallest_) : x(x_), y(y_), d(d_), smallest(smallest_) {
         rho = std::max(std::sqrt(x * x + y * y + d * d), smallest);
     }
-    // (x^2 + d^2)/(rho - y) loses no digits where y is negative.
+    // (x^2 + d^2)/(rho - y) avoids cancellation for negative y.
     double sum(double along, double across) const {  // rho + along
         const double square = std::max(across * across + d * d, smallest * smallest);
         return along < 0 ? square / (rho - along) : std::max(rho + along, smallest);

@@ -1,14 +1,17 @@
-// Derivation. Boussinesq's and Cerruti's displacements (Johnson, sections 3.2 and 3.6, with his z axis turned round),
-// times 4 pi G at the depth d below a unit force along z, out of the body, and along x, are with rho^2 = x^2 + y^2 +
-// d^2
-//   traction q_z:  x (1-2nu)/(rho (rho+d)) - x d/rho^3    along x, alike along y;    d^2/rho^3 + 2 (1-nu)/rho    along
-//   z traction q_x:  1/rho + x^2/rho^3 + (1-2nu) (1/(rho+d) - x^2/(rho (rho+d)^2))    along x
-//                  x y/rho^3 - (1-2nu) x y/(rho (rho+d)^2)    along y;    -x d/rho^3 - (1-2nu) x/(rho (rho+d))    along
-//                  z
-// and their integrals over x and y, with S = atan(xy/(d rho)) and A = atan(y/x) - atan(y d/(x rho)),
-//   1/rho: U = x ln(rho+y) + y ln(rho+x) - d S         d^2/rho^3: d S           x d/rho^3: -d ln(rho+y)
-//   x^2/rho^3: y ln(rho+x) - d S                       x y/rho^3: -rho          x/(rho (rho+d)): y ln(rho+d) + x A + d
-//   ln(rho+y) 1/(rho+d) - x^2/(rho (rho+d)^2): x ln(rho+y) - d A         x y/(rho (rho+d)^2): d ln(rho+d) - rho
+// This is the derivation. With rho^2 = x^2 + y^2 + d^2, Boussinesq's and Cerruti's displacements (Johnson, sections 3.2
+// and 3.6, with the z axis reversed), times 4 pi G at the depth d below a unit force along z, out of the body, and
+// along x, are
+//   traction q_z:  along x  x (1-2nu)/(rho (rho+d)) - x d/rho^3,  likewise along y,
+//                  along z  d^2/rho^3 + 2 (1-nu)/rho;
+//   traction q_x:  along x  1/rho + x^2/rho^3 + (1-2nu) (1/(rho+d) - x^2/(rho (rho+d)^2)),
+//                  along y  x y/rho^3 - (1-2nu) x y/(rho (rho+d)^2),
+//                  along z  -x d/rho^3 - (1-2nu) x/(rho (rho+d));
+// and their integrals over x and y, with S = atan(xy/(d rho)) and A = atan(y/x) - atan(y d/(x rho)), are
+//   1/rho: x ln(rho+y) + y ln(rho+x) - d S             d^2/rho^3: d S
+//   x^2/rho^3: y ln(rho+x) - d S                       x d/rho^3: -d ln(rho+y)
+//   x/(rho (rho+d)): y ln(rho+d) + x A + d ln(rho+y)   x y/rho^3: -rho
+//   1/(rho+d) - x^2/(rho (rho+d)^2): x ln(rho+y) - d A
+//   x y/(rho (rho+d)^2): d ln(rho+d) - rho
 #include "patch_displacement.hpp"
 
 #include <cmath>
@@ -38,7 +41,7 @@ Displacement under_load_along_x(const PatchCorner& c, double nu) {
 }  // namespace
 
 Displacement corner_displacement(Axis load, double x, double y, double d, double nu, double smallest) {
-    d = std::abs(d);  // -0 would turn the angles round
+    d = std::abs(d);  // -0 would reverse the angles.
     Displacement at = load == Axis::z   ? under_normal_load({x, y, d, smallest}, nu)
                       : load == Axis::x ? under_load_along_x({x, y, d, smallest}, nu)
                                         : under_load_along_x({y, x, d, smallest}, nu);

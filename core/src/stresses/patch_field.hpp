@@ -1,4 +1,4 @@
-// The fields inside a half-space that tractions on its surface make, as sums over the corners of elements.
+// Computes the fields inside a half-space that tractions on its surface produce, as sums over the corners of elements.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace contactd {
 
-/// One of them, by its antiderivatives at corners and their parity.
+/// Describes a field by its antiderivatives at corners and their parity.
 template <auto corner, auto parity_at>
 struct PatchField {
     using Components = std::invoke_result_t<decltype(corner), Axis, double, double, double, double, double>;

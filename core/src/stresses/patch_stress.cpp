@@ -1,4 +1,4 @@
-// Derivation. With the depth d as third axis, rho^2 = x^2 + y^2 + d^2, and the potentials of a point force
+// This is the derivation. With the depth d as third axis, rho^2 = x^2 + y^2 + d^2, and the potentials of a point force
 //   W = d ln(rho + d) - rho,  I = W_d = ln(rho + d),  N = I_d = 1/rho,
 // all harmonic, Boussinesq's and Cerruti's displacements (Johnson (3.4)) and Hooke's law give, 2 pi times,
 //   pressure p:    xx 2 nu N_d - (1-2nu) I_xx - d N_xx,  zz N_d - d N_dd,  xy -(1-2nu) I_xy - d N_xy,  xd -d N_xd
@@ -7,11 +7,11 @@
 // and so on by symmetry. Their integrals over x and y are
 //   N_x: ln(rho+y)   N_d: -atan(xy/(d rho))   N_xx: x/(rho(rho+y))   N_xy: 1/rho   N_xd: d/(rho(rho+y))
 //   I_xx: atan(xy(rho-d)/(x^2 rho + d y^2))   I_xy: ln(rho+d)   I_xyy: y/(rho(rho+d))   W_xyy: -y/(rho+d)
-// and the rest follows by Laplace's equation. With z = -d, and the traction along z = -p, xz = -xd and yz = -yd.
+// and the others follow from Laplace's equation. With z = -d, and the traction along z = -p, xz = -xd and yz = -yd.
 //
-// A row of elements that never ends along y is in plane strain (Johnson, section 2.2 and 2.3; McEwen for Hertz's
-// pressure): line forces give radial stresses, 2 cos(t)/(pi r) of the direction of the force, and along y shear
-// stresses 1/(pi r). Their integrals over x, with r^2 = x^2 + d^2 and A = atan(x/d), are, pi times,
+// An infinite row of elements along y is in plane strain (Johnson, section 2.2 and 2.3; McEwen for Hertz's pressure).
+// Line forces cause radial stresses, 2 cos(t)/(pi r) with the angle t from the direction of the force, and along y
+// shear stresses 1/(pi r). Their integrals over x, with r^2 = x^2 + d^2 and A = atan(x/d), are, pi times,
 //   traction q_z:  xx A - x d/r^2          zz A + x d/r^2     xz d^2/r^2
 //   traction q_x:  xx -2 ln r - d^2/r^2    zz d^2/r^2         xz A - x d/r^2
 //   traction q_y:  xy -ln r                yz A
@@ -75,15 +75,15 @@ StressComponents edge_stress(Axis load, double x, double d, double nu, double sm
 }
 
 StressComponents corner_stress(Axis load, double x, double y, double d, double nu, double smallest) {
-    if (std::isinf(y)) {  // each end of a row that has none brings half of its edge
+    if (std::isinf(y)) {  // Each end of an infinite row contributes half of its edge.
         StressComponents half = edge_stress(load, x, d, nu, smallest);
         for (double& component : half) component *= std::copysign(0.5, y);
         return half;
     }
-    const double rounding = 1e-6 * smallest;  // a point on an edge must not fall to one of its sides
+    const double rounding = 1e-6 * smallest;  // A point on an edge must not count as on one of its sides.
     if (std::abs(x) < rounding) x = 0;
     if (std::abs(y) < rounding) y = 0;
-    d = std::abs(d);  // -0 would turn the angles round
+    d = std::abs(d);  // -0 would reverse the angles.
     StressComponents stress = load == Axis::z   ? normal_load({x, y, d, smallest}, nu)
                               : load == Axis::x ? load_along_x({x, y, d, smallest}, nu)
                                                 : load_along_x({y, x, d, smallest}, nu);

@@ -1,4 +1,4 @@
-// Arrays of stresses at points.
+// Accesses arrays of stresses at points.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// xx, yy, zz, xy, xz, yz
+/// Returns xx, yy, zz, xy, xz, yz.
 inline std::array<std::vector<double>*, 6> components_of(SubsurfaceStress& stress) {
     return {&stress.xx, &stress.yy, &stress.zz, &stress.xy, &stress.xz, &stress.yz};
 }
@@ -16,7 +16,7 @@ inline std::array<const std::vector<double>*, 6> components_of(const SubsurfaceS
     return {&stress.xx, &stress.yy, &stress.zz, &stress.xy, &stress.xz, &stress.yz};
 }
 
-/// From the components, with the largest.
+/// Computes the von Mises stresses from the components, and the point of the largest one.
 void find_von_mises(SubsurfaceStress& stress);
 
 }  // namespace contactd

@@ -17,7 +17,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// The components of a field, point by point.
+/// Holds the components of a field, point by point.
 template <class Field>
 using Arrays = std::array<Values, components_of_field<Field>>;
 
@@ -55,7 +55,7 @@ void check(const Grid& grid, const SurfaceTractions& tractions, double nu) {
 }
 
 void check_coordinate(double value, bool depth, const char* field) {
-    constexpr double farthest = 1e50;  // higher powers still have to be numbers
+    constexpr double farthest = 1e50;  // Higher powers must be finite.
     if (!(std::abs(value) <= farthest))
         throw InvalidArgument(field, "contains " + number_text(value) +
                                          "; every coordinate must be finite and at most 1e50 in magnitude");
@@ -64,7 +64,7 @@ void check_coordinate(double value, bool depth, const char* field) {
             field, "contains z = " + number_text(value) + "; points of the body have z <= 0 in its own frame");
 }
 
-// Reports how much of the work is done.
+// Reports the completed fraction of the work.
 class Meter {
    public:
     Meter(Observer& observer, double work) : observer_(observer), work_(work) { observer.throw_if_cancelled(); }
@@ -80,12 +80,12 @@ class Meter {
     }
 
    private:
-    static constexpr double step = 1e5;  // corners: some ten milliseconds
+    static constexpr double step = 1e5;  // in corners, which take about ten milliseconds
     Observer& observer_;
     double work_, done_ = 0, reported_ = 0;
 };
 
-// Coordinates that differ from the centre of the first element by the same fraction of an element.
+// Holds coordinates that differ from the centre of the first element by the same fraction of an element.
 struct Class {
     double fraction;
     std::vector<double> whole;
@@ -96,8 +96,8 @@ struct Class {
 };
 
 std::vector<Class> classes_of(const Values& coordinates, double first_centre, double size) {
-    constexpr double resolution = 0x1p-40;  // above rounding, and exact for halves of elements
-    std::map<double, Class> classes;        // ordered, so that sums are the same in every run
+    constexpr double resolution = 0x1p-40;  // above rounding errors, and exact for halves of elements
+    std::map<double, Class> classes;        // sorted, so that sums are the same in every run
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
         const double steps = std::round((coordinates[i] - first_centre) / size / resolution) * resolution;
         const double whole = std::floor(steps), fraction = steps - whole;
@@ -110,21 +110,23 @@ std::vector<Class> classes_of(const Values& coordinates, double first_centre, do
     return result;
 }
 
-// The points of one class along x and one along y, at all depths, by convolution or by direct sums: whichever computes
-// fewer corners.
+// Computes the points of one class along x and one along y, at all depths, by convolution or by direct sums, whichever
+// requires fewer corners.
 class ClassPair {
    public:
     ClassPair(const LoadedPatch& patch, const Class& along_x, const Class& along_y, std::size_t corners)
         : patch_(patch), along_x_(along_x), along_y_(along_y), first_x_(along_x.first()), first_y_(along_y.first()) {
-        constexpr double transforms = 1.5;                        // what they add to the corners of a convolution
+        // Transforms multiply the cost of the corners of a convolution by this factor.
+        constexpr double transforms = 1.5;
         constexpr double farthest = 1e6;                          // in elements
         constexpr double most_offsets = 4.0 * max_grid_elements;  // between a raster of the largest grid and the grid
-        constexpr double sparsest = 16;                           // offsets for each element and point
+        // There may be at most this number of offsets for each element and point.
+        constexpr double sparsest = 16;
         const bool far = std::max(std::abs(first_x_), std::abs(first_y_)) > farthest;
         const double offsets = (patch.nx() + along_x.points()) * (patch.ny() + along_y.points());
         const double points = static_cast<double>(along_x.whole.size()) * static_cast<double>(along_y.whole.size());
         const double elements = static_cast<double>(patch.nx()) * patch.ny();
-        // Few points may span a raster that no memory holds.
+        // The raster of a few points may exceed the memory.
         const bool fits = offsets <= std::min(most_offsets, sparsest * (elements + points));
         by_convolution_ = transforms * offsets;
         directly_ = points * static_cast<double>(corners);

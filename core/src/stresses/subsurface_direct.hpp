@@ -1,4 +1,4 @@
-// The tractions of a contact as subsurface stresses need them, and their stresses point by point.
+// Prepares the tractions of a contact for subsurface stresses, and computes these point by point.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,11 @@
 
 namespace contactd {
 
-/// Where rows of elements end along y: with the grid, or nowhere, in plane strain.
+/// Selects the ends of rows of elements along y: at the grid, or nowhere, in plane strain.
 enum class RowEnds { grid, nowhere };
 
-/// The smallest rectangle of elements that holds all tractions. Rows that end nowhere have an infinite dy about y = 0.
+/// Holds the smallest rectangle of elements that contains all tractions. Rows without ends have an infinite dy about y
+/// = 0.
 class LoadedPatch {
    public:
     LoadedPatch(const Grid& grid, const SurfaceTractions& tractions, RowEnds ends = RowEnds::grid);
@@ -24,9 +25,9 @@ class LoadedPatch {
     int ny() const { return loads_[0].ny; }
     double x() const { return grid_.x(first_x_); }  ///< centre of the first element
     double y() const { return ends_ == RowEnds::grid ? grid_.y(first_y_) : 0; }
-    /// Where stresses are infinite, those at this distance are given.
+    /// Returns the distance at which stresses are evaluated where they are infinite.
     double smallest() const { return 1e-6 * std::min(grid_.dx, grid_.dy); }
-    /// Along x, y and z; values are empty where all are zero.
+    /// Returns the loads along x, y and z. Values are empty if all are zero.
     const std::array<TractionPatch, 3>& loads() const { return loads_; }
 
    private:
@@ -36,17 +37,17 @@ class LoadedPatch {
     std::array<TractionPatch, 3> loads_;
 };
 
-/// A corner of elements, and the second difference of the tractions there.
+/// Holds a corner of elements, and the second difference of the tractions there.
 struct LoadedCorner {
     double x, y;
     std::array<double, 3> jump;
 };
 
-/// Finds the corners where that is not zero.
+/// Returns the corners where the second difference is not zero.
 std::vector<LoadedCorner> corners_of(const LoadedPatch& patch);
 
-/// Sums over corners: what a corner adds to its four elements is one product with the second difference of the
-/// tractions, and inside a region of equal tractions none.
+/// Sums over corners. The contribution of a corner to its four elements is one product with the second difference of
+/// the tractions, which vanishes inside a region of equal tractions.
 template <class Field>
 class DirectSum {
    public:

@@ -10,8 +10,8 @@
 namespace contactd {
 namespace {
 
-// Offsets of points from elements along one axis: whole + fraction, first <= whole <= last. Without a fraction parity
-// gives the negative ones.
+// Describes offsets of points from elements along one axis: whole + fraction, first <= whole <= last. Without a
+// fraction, negative offsets follow by parity.
 struct Offsets {
     int first, last;
     double fraction;
@@ -37,7 +37,7 @@ struct Offsets {
 template <class Field>
 using Arrays = std::array<std::vector<double>, components_of_field<Field>>;
 
-// The field under a unit traction on one element at all offsets; neighbours share their corners.
+// Returns the field under a unit traction on one element at all offsets; neighbours share their corners.
 template <class Field>
 Arrays<Field> element_field(const Field& field, Axis load, const TractionPatch& patch, const Offsets& along_x,
                             const Offsets& along_y, double d, const Observer& observer) {
@@ -76,7 +76,7 @@ void add_parts(const Field& field, Axis load, const TractionPatch& patch, const 
     const std::size_t columns = static_cast<std::size_t>(2 * nx - 1), size = columns * (2 * ny - 1);
     const auto symbol = [&](std::size_t component) {
         const auto [of_x, of_y] = Field::parity(load, component);
-        std::vector<double> values(size);  // zero where no point is that far from an element
+        std::vector<double> values(size);  // zero for offsets that do not occur
         for (int l = 1 - patch.ny; l < raster.ny; ++l)
             for (int k = 1 - patch.nx; k < raster.nx; ++k) {
                 const int K = k + whole_x, L = l + whole_y;
@@ -99,7 +99,8 @@ void add_parts(const Field& field, Axis load, const TractionPatch& patch, const 
     };
     for (std::size_t component = 0; component < sum.size(); component += 2) {
         observer.throw_if_cancelled();
-        const std::size_t next = std::min(component + 1, sum.size() - 1);  // an odd one goes with itself
+        // The last one of an odd number is paired with itself.
+        const std::size_t next = std::min(component + 1, sum.size() - 1);
         fft.spread(symbol(component), symbol(next), in, first, second);
         add_to(first, component);
         if (next != component) add_to(second, next);

@@ -1,4 +1,4 @@
-// Subsurface stresses at points that differ by whole elements: convolutions, depth by depth.
+// Computes subsurface stresses at points that differ by whole elements by convolutions, depth by depth.
 #pragma once
 
 #include <array>
@@ -9,22 +9,22 @@
 
 namespace contactd {
 
-/// A rectangle of elements with the traction along one axis, shape [ny, nx].
+/// Holds a rectangle of elements with the traction along one axis, shape [ny, nx].
 struct TractionPatch {
     int nx, ny;
     double dx, dy;
     std::vector<double> values;
 };
 
-/// Points (k + offset_x) dx, (l + offset_y) dy from the centre of the first element of the patch, k = 0..nx-1, l =
-/// 0..ny-1.
+/// Describes points (k + offset_x) dx, (l + offset_y) dy from the centre of the first element of the patch, k =
+/// 0..nx-1, l = 0..ny-1.
 struct Raster {
     int nx, ny;
     double offset_x, offset_y;
 };
 
-/// Adds the field at depth d to that in `sum`, each of whose arrays has the shape [ny, nx] of the raster. Throws
-/// Cancelled when the observer, which is asked row by row, says so.
+/// Adds the field at depth d to `sum`, each of whose arrays has the shape [ny, nx] of the raster. Throws Cancelled if
+/// the observer, which is called for each row, cancels.
 void add_field(const StressField& field, Axis load, const TractionPatch& patch, const Raster& raster, double d,
                std::array<std::vector<double>, 6>& sum, const Observer& observer);
 void add_field(const DisplacementField& field, Axis load, const TractionPatch& patch, const Raster& raster, double d,

@@ -1,6 +1,7 @@
-// Tractions of a row act on another one as if they lay on its half-space, at the distance along the surface, turned by
+// Tractions of a row act on another one as if they lay on its half-space, at the distance along the surface, rotated by
 // the angle between both. With Y and Z the tractions along fixed axes, those in the axes of a row inclined by the angle
-// a are Y cos a + Z sin a along it and -Y sin a + Z cos a out of it, so that five stress fields serve all rows.
+// a are Y cos a + Z sin a along it and -Y sin a + Z cos a out of it, so that five stress fields are sufficient for all
+// rows.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +19,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// Straight lines between the middles of the rows, constant beyond.
+/// Interpolates linearly between the middles of the rows, with constants beyond.
 double angle_at(const Grid& grid, std::span<const double> angles, double y) {
     const double place = std::clamp((y - grid.y(0)) / grid.dy, 0.0, static_cast<double>(grid.ny - 1));
     const auto row = std::min(static_cast<std::size_t>(place), angles.size() - 1);
@@ -26,7 +27,7 @@ double angle_at(const Grid& grid, std::span<const double> angles, double y) {
     return angles[row] + (place - static_cast<double>(row)) * (angles[row + 1] - angles[row]);
 }
 
-/// Tractions across the rows along fixed axes.
+/// Returns tractions across the rows along fixed axes.
 std::array<Values, 2> along_fixed_axes(const Grid& grid, const SurfaceTractions& tractions,
                                        std::span<const double> angles) {
     std::array<Values, 2> result{Values(grid.size()), Values(grid.size())};
