@@ -15,15 +15,15 @@ RowHeat::RowHeat(const ThermalBodies& bodies, double velocity, std::optional<dou
       weights_(length) {
     for (std::size_t k = 0; k < length; ++k) {
         const auto elements = static_cast<double>(k);
-        // Roots of large numbers nearly cancel: the difference as a quotient.
+        // The quotient avoids the cancellation of the roots of large numbers.
         weights_[k] = k == 0 ? std::sqrt(0.5) : 1 / (std::sqrt(elements + 0.5) + std::sqrt(elements - 0.5));
     }
 }
 
-// In the time that its surface needs through the contact, a body takes heat by its effusivity and the root of its
+// While its surface passes through the contact, a body absorbs heat in proportion to its effusivity and the root of its
 // speed.
 RowShares RowHeat::shares(double slip) const {
-    constexpr double least = 1e-12;  // of the velocity: the heat has to go into one of them
+    constexpr double least = 1e-12;  // of the velocity; the heat must go into one of the bodies
     const double above = upper_ ? *upper_ : 1 - 0.5 * slip, below = upper_ ? *upper_ + slip : 1 + 0.5 * slip;
     const auto root = [least](double part) { return std::sqrt(std::max(std::abs(part), least)); };
     const double upper = bodies_.upper.effusivity() * root(above), lower = bodies_.below().effusivity() * root(below),

@@ -73,12 +73,13 @@ class Surfaces {
     }
 
    private:
-    /// The element that lies `behind` elements behind the foremost one of the grid's row.
+    /// Returns the element that lies `behind` elements behind the foremost one of the grid's row.
     std::size_t at(std::size_t row, std::size_t behind) const {
         return row * nx_ + (backwards_ ? behind : nx_ - 1 - behind);
     }
 
-    // Power per area (N/(mm s)); what tolerances leave of slip in adhesion may have either sign.
+    // Returns the power per area (N/(mm s)). Residual slip in adhesion may have either sign, so negative work is
+    // excluded.
     double heat_at(std::size_t i) const {
         const double work = request_.traction_x[i] * request_.slip_x[i] + request_.traction_y[i] * request_.slip_y[i];
         return (std::max(0.0, -work) + plastic_heat_at(i)) * request_.velocity;
@@ -119,7 +120,8 @@ class Surfaces {
         return shares_.unit * sum;
     }
 
-    // The smaller Peclet number of both bodies counts, of the longest row; of rows as long as it the smallest.
+    // Records the smaller Peclet number of both bodies for the longest row, and the smallest for rows of the same
+    // length.
     void take_length(std::size_t length) {
         if (length < longest_) return;
         if (length > longest_) peclet_ = std::numeric_limits<double>::infinity();
@@ -196,11 +198,11 @@ class Surfaces {
     const TemperatureRequest& request_;
     const std::size_t nx_, ny_;
     const RowHeat heat_;
-    const bool backwards_;  // rolling along -x: the leading edge is that of small x
+    const bool backwards_;  // whether rolling is along -x, with the leading edge at small x
     const Values slips_;    // along x, of each row
-    RowShares shares_;      // of the row at hand
+    RowShares shares_;      // of the present row
     bool has_gaps_ = false, has_opposite_ = false;
-    std::size_t longest_ = 0;  // elements of a row from its first in contact to its last
+    std::size_t longest_ = 0;  // in elements from the first to the last in contact
     double peclet_ = 0;
     double heat_sum_ = 0, heat_of_upper_ = 0;
     SurfaceTemperatures result_;
