@@ -11,7 +11,7 @@
 namespace contactd {
 namespace {
 
-/// What laws ask of an element that slips.
+/// Holds the variables of laws at an element that slips.
 struct SlippingElement {
     double pressure = 0;       ///< (N/mm^2)
     double pressure_slip = 0;  ///< p |s| (N/mm^2)
@@ -31,7 +31,7 @@ double archard_k(const ArchardWear& law, const SlippingElement& element) {
     return is_severe ? law.severe->k : law.mild;
 }
 
-/// Depth over the length of path, at an element that slips; none of a law of whole patches.
+/// Returns the depth over the length of path at an element that slips; 0 for a law of whole patches.
 double depth_per_path(const WearLaw& law, const SlippingElement& element, double velocity) {
     constexpr double joule = 1e3;       // N mm
     constexpr double kg_per_m3 = 1e-9;  // kg/mm^3
@@ -47,7 +47,7 @@ double depth_per_path(const WearLaw& law, const SlippingElement& element, double
     return 0;
 }
 
-/// A wheel of diameter D turns once in pi D, by which the area that it loses over a distance is that of a passage.
+/// A wheel of diameter D turns once in pi D, so the area of a passage is that per distance times pi D.
 double area_of_passage(const BrWear& law, double T_gamma) {
     constexpr double km = 1e6;  // mm
     return std::numbers::pi / km * value_at(law.pieces, T_gamma);
@@ -60,7 +60,7 @@ double argument_of(const WearLaw& law, const ContactWear& wear, double velocity)
     return wear.largest_dissipation;
 }
 
-/// The elements that slip, as laws ask of them, with slips times `factor`.
+/// Visits the elements that slip with the variables of laws; slips are multiplied by `factor`.
 template <class Visit>
 void visit_slip(const Grid& grid, const ContactSolution& solution, double velocity, double factor, const Visit& visit) {
     for (int iy = 0; iy < grid.ny; ++iy)
@@ -84,7 +84,7 @@ double dissipation_of(const Grid& grid, const ContactSolution& solution) {
     return sum * grid.element_area();
 }
 
-/// By forces and rigid slip: elastic slip takes nothing in the limit of small elements.
+/// Returns the energy from forces and rigid slip: elastic slip does not contribute in the limit of small elements.
 double energy_by_forces(const ContactProblem& problem, const ContactSolution& solution, const Rolling& rolling) {
     const Forces& forces = solution.forces;
     double sum = forces.Fx * rolling.xi + forces.Fy * rolling.eta + forces.Mz * rolling.phi;
@@ -93,7 +93,7 @@ double energy_by_forces(const ContactProblem& problem, const ContactSolution& so
         of_elements +=
             solution.traction_x[i] * problem.rigid_slip.x[i] + solution.traction_y[i] * problem.rigid_slip.y[i];
     sum += of_elements * problem.grid.element_area();
-    return 0 - sum;  // no negative zero
+    return 0 - sum;  // avoids a negative zero
 }
 
 void keep_rows_in_contact(const Grid& grid, const ContactSolution& solution, std::vector<WearRow>& rows) {
@@ -127,7 +127,7 @@ void warn_of_ranges(const WearRequest& request, const ContactWear& wear, std::ve
     }
 }
 
-/// Sums over few elements know little of a patch, and a factor cannot tell where.
+/// Sums over few elements are inaccurate, and a factor cannot correct their distribution.
 void warn_of_factor(const ContactWear& wear, std::vector<std::string>& warnings) {
     constexpr double largest = 1.5;
     if (wear.factor <= largest && wear.factor >= 1 / largest) return;
@@ -152,7 +152,8 @@ WearPlace wear_place(const ContactProblem& problem, const Rolling& rolling) {
 
 ContactWear contact_wear(const WearRequest& request, const ContactProblem& problem, const WearPlace& place,
                          ContactSolution& solution) {
-    const auto& rolling = std::get<Rolling>(*solution.motion);  // with what a prescribed force made of it
+    // The motion is completed by components computed for a prescribed force.
+    const auto& rolling = std::get<Rolling>(*solution.motion);
     const Grid& grid = problem.grid;
     ContactWear wear;
     wear.T_gamma = std::abs(solution.forces.Fx * place.xi + solution.forces.Fy * place.eta);

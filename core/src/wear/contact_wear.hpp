@@ -1,4 +1,4 @@
-// Wear of a contact that was solved.
+// Computes wear of a solved contact.
 #pragma once
 
 #include <string>
@@ -8,17 +8,18 @@
 
 namespace contactd {
 
-/// Where the rows of a grid lie, and the creepages of a plane motion.
+/// Holds the positions of the rows of a grid, and the creepages of a plane motion.
 struct WearPlace {
-    std::vector<WearRow> rows{};  ///< one a row of the grid, of which y, z and angle are of any meaning
+    std::vector<WearRow> rows{};  ///< one per row of the grid; only y, z and angle are used
     double xi = 0, eta = 0;
 };
 
-/// The place of a problem by itself: its rows on a plane, or on the strips of curved columns.
+/// Returns the place of a problem outside a wheel-rail contact: its rows on a plane, or on the strips of curved
+/// columns.
 WearPlace wear_place(const ContactProblem& problem, const Rolling& rolling);
 
-/// Wear by the laws of the request, of steady rolling along x. What a user of it should know is added to the
-/// warnings of the solution, whose slip is relative.
+/// Computes wear by the laws of the request for steady rolling along x. Adds warnings for users to those of the
+/// solution, whose slip is relative.
 ContactWear contact_wear(const WearRequest& request, const ContactProblem& problem, const WearPlace& place,
                          ContactSolution& solution);
 
