@@ -19,7 +19,7 @@ namespace {
 
 using Values = EquilibriumTask::Values;
 
-constexpr double farthest = 100;              // mm: laterally, from where the other forces have the rail
+constexpr double farthest = 100;              // mm: laterally, from the position by the other forces
 constexpr double most_usual_deflection = 20;  // mm: rails on their sleepers deflect by one or two
 
 class Balance {
@@ -34,7 +34,7 @@ class Balance {
           rolling_(rolling_pitch_rate(wheel.setup(), wheel.state())),
           pitch_(given_.Fx ? rolling_ * (1 + estimates.slip.value_or(0)) : given_.velocity.pitch),
           tolerance_(setup_.force.tolerance) {
-        if (has_lateral_spring()) setup_.force.tolerance *= 0.1;  // what is left of one search is noise in the other
+        if (has_lateral_spring()) setup_.force.tolerance *= 0.1;  // The error of one search is noise in the other.
     }
 
     WheelRailSolution find() {
@@ -70,7 +70,7 @@ class Balance {
         return (*springs_->z * deflection_.z - solution_.forces.track.Fz - given_.rail.Fz) / scale();
     }
 
-    // A pitch rate that grows pulls the rail forwards; a rail that is moved aside pushes back by its spring at least.
+    // A larger pitch rate pulls the rail forwards; a rail that is moved aside pushes back at least by its spring.
     bool find_together() {
         EquilibriumTask task;
         const auto unknown = [&](double start, double around, double reach, double first_step) {
@@ -112,7 +112,7 @@ class Balance {
         return true;
     }
 
-    /// Secants between bounds that close in, which end where functions are steep or jump, too.
+    /// Searches by secants between shrinking bounds, which also end where functions are steep or jump.
     void find_one_within_the_other() {
         if (!given_.Fx) return deflect_laterally();
         const double unit = std::abs(rolling_);
@@ -141,7 +141,7 @@ class Balance {
             std::clamp(estimates_.rail_y.value_or(without_wheel), without_wheel - farthest, without_wheel + farthest);
         solve(start);
         RisingTask task;
-        // Were the force of the contact to stay, this would be the step to its balance.
+        // This would be the step to the balance if the force of the contact were constant.
         task.step = std::max(std::abs(excess_aside()) * scale() / *springs_->y, 1e-9);
         bool first = true;
         task.function = [&](double y) {
@@ -164,7 +164,7 @@ class Balance {
         solve_fixed({y, has_vertical_spring() ? (*given_.Fz + given_.rail.Fz) / *springs_->z : 0});
     }
 
-    /// Finds the height of the wheel over the rail at which the rail carries what the spring then does.
+    /// Finds the height of the wheel over the rail at which contact and spring carry the same force.
     void search_down(double y) {
         RightWheel wheel = wheel_.with(setup_, deflected(given_, {y, 0}));
         std::optional<HeightTask> over_rail = height_over_rail(wheel, given_, *springs_->z);
@@ -181,7 +181,7 @@ class Balance {
     void solve_fixed(const RailDeflection& deflection) {
         if (!fixed_ || !(deflection == deflection_)) {
             deflection_ = deflection;
-            // A wheel stays where it was made.
+            // The position of a RightWheel is fixed on construction.
             fixed_.reset(new RightWheel(wheel_.with(setup_, deflected(given_, deflection))));
         }
         WheelsetVelocity velocity = given_.velocity;
@@ -222,7 +222,7 @@ class Balance {
     static constexpr int most_evaluations = 15;
     static constexpr double first_deflection = 0.2;  // mm
     static constexpr double usual_force = 80'000;    // N
-    static constexpr double Kalker_slope = 100;      // of Fx/Fz by the longitudinal creepage, about
+    static constexpr double Kalker_slope = 100;      // approximate slope of Fx/Fz over the longitudinal creepage
 
     const RightWheel& wheel_;
     const WheelRailState& given_;
@@ -230,10 +230,10 @@ class Balance {
     WheelRailSetup setup_;
     WheelRailEstimates& estimates_;
     Observer& observer_;
-    const double rolling_;  // the pitch rate without creepage (rad/s)
+    const double rolling_;  // pitch rate without creepage (rad/s)
     double pitch_, tolerance_;
     RailDeflection deflection_{};
-    std::unique_ptr<RightWheel> fixed_;  // on a rail that is fixed where it is deflected to
+    std::unique_ptr<RightWheel> fixed_;  // on a rail that is fixed in its deflected position
     WheelRailSolution solution_{};
     int evaluations_ = 0, solves_ = 0;
 };

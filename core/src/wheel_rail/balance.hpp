@@ -1,4 +1,4 @@
-// Force balance: the pitch rate for a prescribed Fx, and the deflection of a massless flexible rail.
+// Solves the force balance: the pitch rate for a prescribed Fx, and the deflection of a massless flexible rail.
 #pragma once
 
 #include "contactd/observer.hpp"

@@ -22,7 +22,7 @@ void condense_rail_deflection(WheelRailDerivatives& derivatives, const Wrench& f
     Wrench by_rail_y = negative(by_y), by_rail_z = negative(by_z);
     add(by_rail_y, 1, {0, 0, 0, forces.Fz, 0, -forces.Fx});
     add(by_rail_z, 1, {0, 0, 0, -forces.Fy, forces.Fx, 0});
-    // (K + dF/d(y, z)) deflection = dF; a direction without a spring does not deflect.
+    // The deflection solves (K + dF/d(y, z)) deflection = dF; a direction without a spring does not deflect.
     const double yy = springs.y ? *springs.y + by_y.Fy : 1, yz = springs.y && springs.z ? by_z.Fy : 0;
     const double zy = springs.y && springs.z ? by_y.Fz : 0, zz = springs.z ? *springs.z + by_z.Fz : 1;
     const double determinant = yy * zz - yz * zy;

@@ -1,4 +1,4 @@
-// Derivatives of forces on a massless flexible rail.
+// Computes derivatives of forces on a massless flexible rail.
 #pragma once
 
 #include "contactd/wheel_rail_setup.hpp"

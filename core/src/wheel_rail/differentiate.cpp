@@ -16,7 +16,7 @@ namespace {
 using geometry::CandidatePatch;
 using geometry::Position;
 
-/// (a - b) over a length.
+/// Returns (a - b) over a length.
 Wrench difference(const Wrench& a, const Wrench& b, double over) {
     const auto of = [&](double Wrench::* part) { return (a.*part - b.*part) / over; };
     return {of(&Wrench::Fx), of(&Wrench::Fy), of(&Wrench::Fz), of(&Wrench::Mx), of(&Wrench::My), of(&Wrench::Mz)};
@@ -27,7 +27,7 @@ void add(Wrench& sum, double factor, const Wrench& part) {
         sum.*of += factor * (part.*of);
 }
 
-/// A component of the motion, and its step to either side.
+/// Describes a component of the motion, and its step to either side.
 struct VelocityStep {
     double WheelsetVelocity::* of;
     Wrench WheelRailDerivatives::ByVelocity::* derivative;
@@ -59,7 +59,7 @@ class Differences {
     }
 
    private:
-    /// Returns steps that change the approach by a thousandth where the wheel's weight rests.
+    /// Returns steps that change the approach by a thousandth at the contacts that carry the wheel.
     std::vector<PositionStep> position_steps() const {
         double approach = 0, incline = 0;
         for (const WheelRailPatch& patch : solution_.patches) {
@@ -105,9 +105,9 @@ class Differences {
         return difference(forces_of(more), forces_of(less), 2 * step.size);
     }
 
-    /// Through the creepages of each contact; false where these derivatives are not known.
+    /// Computes derivatives through the creepages of each contact; returns false if these are not available.
     bool by_creepages(WheelRailDerivatives::ByVelocity& derivatives) {
-        if (!fine_.friction) return true;  // nothing feels the motion
+        if (!fine_.friction) return true;  // Nothing depends on the motion.
         if (state_.motion != WheelRailMotion::steady_rolling) return false;
         const std::optional<InterfacialLayer>& layer = fine_.friction->layer;
         if (layer && layer->yields()) return false;

@@ -48,7 +48,7 @@ void differentiate_on_flexible_rail(const RightWheel& wheel, WheelRailSolution& 
 
 WheelRailSetup with_fixed_rail(WheelRailSetup setup) {
     setup.track.springs.reset();
-    setup.fatigue.reset();  // that of the rail where it comes to rest is found once
+    setup.fatigue.reset();  // Fatigue is computed once, for the final position of the rail.
     return setup;
 }
 

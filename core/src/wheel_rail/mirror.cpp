@@ -8,13 +8,13 @@
 #include "contactd/fields/wheel_rail_solution.hpp"
 #include "contactd/fields/wheel_rail_state.hpp"
 
-// The signs of numbers and arrays are those of their fields (x-parity in proto/schema); what lists, rows and ends
-// become is here.
+// The fields of numbers and arrays define their signs (x-parity in proto/schema). This file mirrors lists, rows and
+// ends.
 namespace contactd {
 namespace {
 
 void flip_sign(double& value) {
-    value = 0 - value;  // no negative zero
+    value = 0 - value;  // avoids a negative zero
 }
 
 void mirror(Extent& extent) {
@@ -26,7 +26,7 @@ void mirror(OverlapRegion& region) {
     std::swap(region.z.from, region.z.to);
 }
 
-/// Rows in the opposite order.
+/// Reverses the order of rows.
 template <class Value>
 void mirror_rows(std::vector<Value>& values, const Grid& grid) {
     if (values.empty()) return;

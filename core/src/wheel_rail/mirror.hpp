@@ -1,4 +1,4 @@
-// A left wheel is a mirrored right wheel: y and rotations about x or z change their signs.
+// Mirrors a left wheel to a right wheel and back: y and rotations about x or z change their signs.
 #pragma once
 
 #include "contactd/contact_regions.hpp"

@@ -12,16 +12,16 @@ namespace {
 using geometry::RailSurface;
 using geometry::WheelSurface;
 
-constexpr double beyond_throat = 10;  // mm: there flanges have become treads
+constexpr double beyond_throat = 10;  // mm: distance at which flanges have become treads
 constexpr double least_lift = 1;      // mm: contacts in the throat lift treads by tenths
-constexpr double lift_of_face = 0.2;  // mm, where the contact is on the steep face: Fy is larger than Fz
-constexpr double near_end = 0.15;     // of the width: treads are rolled to 25 mm from their ends
+constexpr double lift_of_face = 0.2;  // mm: on the steep face, where Fy is larger than Fz
+constexpr double near_end = 0.15;     // in widths: treads are rolled up to 25 mm from their ends
 
 double y_on_wheel(const ContactReference& reference, const WheelSurface& wheel) {
     return wheel.frame().inside({reference.x, reference.y, reference.z}).y - wheel.base_y();
 }
 
-/// Returns by how much the wheel can be lowered until its profile beyond y touches (mm): not finite where no rail is
+/// Returns how much the wheel can be lowered until its profile beyond y touches (mm), which is not finite if no rail is
 /// below it.
 double lift(double y, const WheelSurface& wheel, const RailSurface& rail) {
     constexpr double step = 0.5;  // mm

@@ -1,4 +1,4 @@
-// Warnings about wheels that do not run on their treads.
+// Warns about wheels that do not run on their treads.
 #pragma once
 
 #include <optional>

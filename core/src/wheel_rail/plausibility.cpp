@@ -12,12 +12,12 @@
 namespace contactd {
 namespace {
 
-constexpr double least_flange = 15;    // mm below the tape circle: what has less has no flange
+constexpr double least_flange = 15;    // mm below the tape circle: wheels with less have no flange
 constexpr double near_tip = 3;         // mm
 constexpr double near_back = 15;       // mm beyond the profile's end
-constexpr double steepest_head = 1.4;  // rad: the side of a rail's head
+constexpr double steepest_head = 1.4;  // rad: inclination of the side of a rail's head
 
-/// The lowest point of a wheel's profile, where it is that of a flange.
+/// Returns the lowest point of a wheel's profile if it is that of a flange.
 std::optional<ProfilePoint> flange_tip(const ProfileCurve& wheel) {
     const ProfilePoint lowest = *std::ranges::max_element(wheel.points(), {}, &ProfilePoint::z);
     return lowest.z > least_flange && lowest.y < 0 ? std::optional(lowest) : std::nullopt;

@@ -1,4 +1,4 @@
-// Probable mistakes in wheels, rails and positions: implausible shapes and contact positions.
+// Warns of probable mistakes in wheels, rails and positions: implausible shapes and contact positions.
 #pragma once
 
 #include <string>

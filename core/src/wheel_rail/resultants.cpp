@@ -22,14 +22,14 @@ struct Sum {
     }
 };
 
-/// Returns the part that a traction on a level plane gains on a surface that rises by `slope` along x: per area of
-/// the plane a pressure acts along (-slope, 0, 1), and friction along (1, 0, slope).
+/// Returns the change of a traction on a level plane if the surface rises by `slope` along x: per area of the plane a
+/// pressure acts along (-slope, 0, 1), and friction along (1, 0, slope).
 Vector3 beside_level(const Vector3& traction, double slope, SlopeForces forces) {
     if (forces == SlopeForces::none) return {};
     return {-slope * traction.z, 0, forces == SlopeForces::all ? slope * traction.x : 0};
 }
 
-/// Returns the moment of the pressures about x and y, in contact coordinates; about z as the solution has it.
+/// Returns the moment of the pressures about x and y, in contact coordinates, and that about z of the solution.
 Vector3 moment(const Grid& grid, const ContactSolution& solution, bool simplified) {
     Vector3 about{0, 0, solution.forces.Mz};
     if (simplified) return about;
@@ -43,7 +43,7 @@ Vector3 moment(const Grid& grid, const ContactSolution& solution, bool simplifie
     return about;
 }
 
-/// By the slopes along the track, in contact coordinates.
+/// Returns the forces due to the slopes along the track, in contact coordinates.
 Sum along_slopes(const Grid& grid, const ContactSolution& solution, bool simplified, const FollowedSlopes& followed) {
     const auto& [slopes, which] = followed;
     const Forces& forces = solution.forces;
@@ -58,7 +58,7 @@ Sum along_slopes(const Grid& grid, const ContactSolution& solution, bool simplif
     return sum;
 }
 
-/// At the reference, in the track.
+/// Returns the forces at the reference, in the track.
 Sum of_plane(const ContactPlace& place, const ContactSolution& solution, bool simplified,
              const FollowedSlopes& followed) {
     const geometry::Rotation axes = geometry::contact_frame(place.reference).axes;
@@ -88,7 +88,7 @@ Sum of_rows(const ContactPlace& place, const ContactSolution& solution, const Fo
     return sum;
 }
 
-/// A force at a point and its moment about it, all in the track, seen from a frame.
+/// Returns a force at a point and its moment about it, given in the track, in the axes of a frame.
 Wrench seen_from(const Frame& frame, const Vector3& point, const Vector3& force, const Vector3& about) {
     const Vector3 f = frame.axes.turned_back(force);
     const Vector3 m = frame.axes.turned_back(about + cross(point - frame.origin, force));

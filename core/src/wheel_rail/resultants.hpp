@@ -1,4 +1,4 @@
-// Forces of a patch in all coordinate systems of the answer.
+// Computes the forces of a patch in all coordinate systems of the answer.
 #pragma once
 
 #include "contactd/wheel_rail_setup.hpp"
@@ -8,14 +8,14 @@
 
 namespace contactd {
 
-/// Slopes of the rail along the track, and the forces that depend on them.
+/// Holds slopes of the rail along the track, and selects the forces that depend on them.
 struct FollowedSlopes {
     const geometry::SlopesAlong& slopes;
     SlopeForces forces;
 };
 
-/// `rail` and `wheelset` are their axes in the track. For simplified models, the reference is the centre of pressure.
-/// Tractions of a curved contact are rotated row by row.
+/// Returns the forces of a patch. `rail` and `wheelset` are their axes in the track. For simplified models, the
+/// reference is the centre of pressure. Tractions of a curved contact are rotated row by row.
 WheelRailForces resultants(const ContactPlace& place, const ContactSolution& solution, bool simplified,
                            const FollowedSlopes& followed, const geometry::Frame& rail,
                            const geometry::Frame& wheelset);

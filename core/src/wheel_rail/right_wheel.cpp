@@ -33,7 +33,7 @@ constexpr const char* nothing_below =
     "No part of the wheel is above the rail, so there is no contact. If this is unexpected, check position.y, "
     "track.gauge, flange_back_distance and flange_back_position of the wheelset, in mm.";
 
-/// Adds sentences to what has some.
+/// Adds sentences to an answer with warnings.
 template <class Answer>
 void warn(Answer& answer, std::vector<std::string> warnings) {
     for (std::string& warning : warnings) answer.warnings.push_back(std::move(warning));
@@ -44,9 +44,9 @@ ProfileFrame profile_frame(const geometry::Frame& frame) {
     return {origin.x, origin.y, origin.z, std::atan2(-axes.z.y, axes.z.z), std::atan2(-axes.y.x, axes.x.x)};
 }
 
-constexpr double least_share = 0.2;  // of the normal force in Fz, for either to tell the other
+constexpr double least_share = 0.2;  // of the normal force in Fz, below which neither determines the other
 
-/// Returns how far the answers of a patch are from those with tight tolerances.
+/// Returns the deviation of a patch's answers from those with tight tolerances.
 double accuracy_of(const ContactEvidence& evidence) {
     double accuracy = evidence.normal.residual / normal_per_accuracy;
     for (const auto& solver : {evidence.tangential, evidence.outer})
@@ -59,7 +59,7 @@ std::optional<double> share_of(const WheelRailPatch& patch) {
     return patch.forces.track.Fz / patch.solution.forces.Fn;
 }
 
-/// A wheel that rolls by next to nothing in a step, as one that starts, slips as in a shift.
+/// A wheel that hardly rolls in a step, for example one that starts, slips as in a shift.
 WheelRailState shifted_if_slow(const WheelRailSetup& setup, WheelRailState state) {
     constexpr double least_step = 1e-5;  // of rolling, over an element's size
     if (state.motion != WheelRailMotion::transient_rolling || !state.time_step) return state;
@@ -316,7 +316,7 @@ ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& 
 
 ContactSolution RightWheel::solve(ContactProblem problem, const CandidatePatch& found,
                                   const InfluenceSource& influences, Observer& observer) const {
-    // The step of rolling is that of the set-up, or what the wheel rolls in the time of the state.
+    // The step of rolling is that of the set-up, or the distance rolled in the time of the state.
     const auto rename = [this](const std::string& field) {
         return field == "dq" && state_.time_step ? std::string("state.time_step") : field;
     };
@@ -346,7 +346,7 @@ WheelRailForces RightWheel::forces_of(const WheelRailPatch& patch, const Candida
 double RightWheel::simplified_force(double z, std::vector<CandidatePatch> candidates, Observer& observer) const {
     double force = 0;
     for (CandidatePatch& found : candidates) {
-        // Forces of a whole ellipse need no elements, and those that are sums over elements all of them.
+        // Forces of a whole ellipse need no elements; forces that are sums over elements need all of them.
         if (!rolls_on_elements(problem_of(found))) found.place.grid = Grid::of_elements(1, 1, setup_.dx, setup_.dy);
         force += forces_of(solve(found, problem_of(found), influences_, observer), found, z).track.Fz;
     }
@@ -367,7 +367,7 @@ HeightTask RightWheel::height_task(double Fz) {
 
 WheelRailSolution RightWheel::under_force(double Fz, Observer& observer) {
     const auto begin = std::chrono::steady_clock::now();
-    // A first step of many does the same as one without estimates, to the last bit.
+    // The first of many steps is bitwise equal to one without estimates.
     WheelRailEstimates own;
     const bool alone = estimates_ == nullptr;
     if (alone) estimates_ = &own;
@@ -405,11 +405,11 @@ HeightFound RightWheel::carry_by_simplified_model(HeightTask& task, WheelRailSol
 
 HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& solution, Observer& observer) {
     constexpr int most_rounds = 5, most_lost = 2;
-    constexpr double finer = 0.5;  // answers from other starts then agree within the tolerance
+    constexpr double finer = 0.5;  // Answers from other starts then agree within the tolerance.
     std::optional<Placement> placement;
     std::optional<double> share = estimates_->vertical_share.expected();
     int solves = 0, lost = 0, most_solves = setup_.force.max_iterations;
-    bool held = true;  // the last solve was at a height where its patches are as they were found
+    bool held = true;  // whether the last solve was at a height where its patches are unchanged
     const auto may_solve = [&] { return solves < most_solves; };
     const auto place = [&](double z) {
         if (placement && placement->holds_at(z)) return;
@@ -422,9 +422,9 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
         has_tractions_ = true;
         share = placement->is_single() ? share_of(solution.patches.front()) : std::nullopt;
     };
-    // The only patch of a wheel, of one region, carries the normal force that brings Fz by the direction that the whole
-    // force had last. Its approach tells the height, which is off as friction's part of Fz is. Of contacts of an
-    // element or two places may go on moving with heights: then these are searched for.
+    // The only patch of a wheel, if it has one region, carries the normal force that produces Fz in the last direction
+    // of the whole force. Its approach determines the height, whose error is due to the friction's part of Fz. Contacts
+    // of one or two elements may keep moving with the height; the height is then searched.
     const auto carries_alone = [&](double& z) {
         if (lost == most_lost) return false;
         double at = z;
@@ -451,8 +451,8 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
         z = solution.z;
         return solution.forces.track.Fz;
     };
-    // Forces jump where other elements or regions count, by the penetration models by a hundredth where another element
-    // becomes the deepest one. There the largest patch carries what lies between, at one height.
+    // Forces jump where other elements or regions count: in penetration models by a hundredth if another element
+    // becomes the deepest one. There, the largest patch carries the force in between, at one height.
     const auto carries_at_jump = [&](HeightFound& at) {
         constexpr double small_jump = 0.03;
         constexpr int few_rounds = 20;
@@ -481,8 +481,8 @@ HeightFound RightWheel::carry(double Fz, HeightTask& task, WheelRailSolution& so
     task.settings.tolerance *= finer;
     HeightFound found = find_height(task);
     if (!found.evidence.converged) carries_at_jump(found);
-    // Where the step before had other regions, and its branch of the force still brings Fz close by, this one stays
-    // there.
+    // If the previous step had other regions, and its branch of the force still produces Fz at a nearby height, this
+    // step stays on that branch.
     const auto stay_on_branch = [&] {
         constexpr double farthest_branch = 0.3;  // of the depth
         const std::size_t before = estimates_->regions, here = regions_in(solution);

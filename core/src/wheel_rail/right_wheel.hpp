@@ -1,4 +1,4 @@
-// A right wheel on its rail in one position, and its requested results.
+// Represents a right wheel on its rail in one position, and its requested results.
 #pragma once
 
 #include <memory>
@@ -18,8 +18,8 @@ class RightWheel {
    public:
     using Patches = std::vector<WheelRailEstimates::Patch>;
 
-    /// All arguments but the state must outlive this. The observer also ends searches. `before` is the state from which
-    /// a transient step starts. The state must be valid for the set-up (validate).
+    /// All arguments except the state must outlive this object. The observer also ends searches. `before` is the state
+    /// from which a transient step starts. The state must be valid for the set-up (validate).
     RightWheel(const WheelRailSetup& setup, const geometry::Profiles& profiles, const InfluenceSource& influences,
                const WheelRailState& state, const Observer& observer, std::shared_ptr<const Patches> before = nullptr);
 
@@ -45,9 +45,9 @@ class RightWheel {
         estimates_ = &estimates;
         has_tractions_ = !estimates.patches.empty();
     }
-    /// The start of a transient step; a copy, because estimates change during a search.
+    /// Sets the start of a transient step. It is a copy, because estimates change during a search.
     void go_on_from(Patches before) { before_ = std::make_shared<const Patches>(std::move(before)); }
-    /// Does not affect positions.
+    /// Sets the velocity, which does not affect positions.
     void set_velocity(const WheelsetVelocity& velocity) { state_.velocity = velocity; }
     geometry::Position& position() { return position_; }
     /// Returns the search for the height that produces a force.
@@ -69,11 +69,11 @@ class RightWheel {
     std::size_t regions_at(double z) const;
     WheelRailSolution at(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer);
     Placement placed(double z, std::vector<geometry::CandidatePatch> candidates, Observer& observer) const;
-    /// The target of a solve: a height, or a normal force of one of the patches.
+    /// Describes the target of a solve: a height, or a normal force of one of the patches.
     struct Load {
-        double z;  ///< of a single patch with a force about where that is
+        double z;  ///< height, which is approximate for a single patch with a force
         std::optional<double> Fn{};
-        std::size_t patch = 0;  ///< which carries Fn
+        std::size_t patch = 0;  ///< patch that carries Fn
     };
     WheelRailSolution solve(const Placement& placement, const Load& load, Observer& observer);
     /// Returns the solution without forces on the wheel.
@@ -94,10 +94,10 @@ class RightWheel {
     const geometry::Profiles& profiles_;
     const InfluenceSource& influences_;
     const Observer& observer_;
-    WheelRailState state_;  // its pitch rate may be searched for
+    WheelRailState state_;  // a search may change its pitch rate
     geometry::Position position_;
     WheelRailEstimates* estimates_ = nullptr;
-    bool has_tractions_ = false;  // of the step before
+    bool has_tractions_ = false;  // whether there are tractions of the previous step
     std::shared_ptr<const Patches> before_;
 };
 

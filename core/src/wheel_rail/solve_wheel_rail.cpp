@@ -24,7 +24,7 @@ InfluenceSource source_for(const WheelRailSetup& setup, InfluenceSource source) 
     };
 }
 
-/// With what set-up and state themselves should make their user think about.
+/// Adds warnings about set-up and state themselves.
 template <class Answer>
 Answer warned(Answer answer, const std::vector<std::string>& of_setup, const WheelRailSetup& setup,
               const WheelRailState& state) {
@@ -52,10 +52,10 @@ struct WheelRailContact::Parts {
     WheelRailSetup setup, solved;  // as given, and with the tolerances of its accuracy
     std::shared_ptr<const geometry::Profiles> profiles;
     InfluenceSource influences;
-    std::vector<std::string> warnings;                // of every solution
-    std::optional<WheelRailSetup> plane{}, curved{};  // what setup may become where conformal is automatic
+    std::vector<std::string> warnings;                // added to every solution
+    std::optional<WheelRailSetup> plane{}, curved{};  // possible replacements of setup if conformal is automatic
 
-    /// Asks a right wheel, in a mirror where it is a left one.
+    /// Calls `ask` with a right wheel, which is mirrored for a left one.
     template <class Ask>
     auto of_right_wheel(const WheelRailState& state, const Observer& observer, const Ask& ask) const {
         below("state", [&] { validate(setup, state); });

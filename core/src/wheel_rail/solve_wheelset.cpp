@@ -34,7 +34,7 @@ void check(const WheelRailContact& left, const WheelRailContact& right, const Wh
                                   "; both wheels of a wheelset must run on rails, or both on rollers");
 }
 
-/// The result of `solve` for one wheel, which refuses fields by the names that they have for both: "state.Fz" is
+/// Returns the result of `solve` for one wheel. Errors use the names of fields for both wheels: "state.Fz" is
 /// "state.Fz_left", "state.rail.Fy" is "state.left_rail.Fy", and "dx" of the set-up is "left.dx".
 template <class Solve>
 auto of_wheel(Side side, const Solve& solve) {
@@ -48,8 +48,8 @@ auto of_wheel(Side side, const Solve& solve) {
     return renaming(rename, solve);
 }
 
-/// A roll that lifts the left wheel lets the right one down: the height of the left axle's end less that of the right
-/// one rises.
+/// A roll that lifts the left wheel lowers the right one: the height of the left axle's end minus that of the right one
+/// increases.
 class Rolls {
    public:
     Rolls(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
@@ -77,8 +77,8 @@ class Rolls {
         solution_.z = 0.5 * (solution_.left.z + solution_.right.z);
         return solution_.left.z - solution_.right.z - larger_;
     }
-    /// Finds the roll at which a difference vanishes: by the distance of the contacts, and with bounds that close in,
-    /// from a first step on (rad), where that does not lead there.
+    /// Finds the roll at which a difference vanishes, by the distance of the contacts. If that fails, uses shrinking
+    /// bounds, from a first step on (rad).
     RisingFound find(const std::function<double(double roll)>& difference, double start, double tolerance,
                      double step) const {
         EquilibriumTask near;
@@ -101,7 +101,7 @@ class Rolls {
         return found;
     }
     WheelsetSolution& solution() { return solution_; }
-    /// Returns how the difference grows with the roll (mm): the distance of the contacts.
+    /// Returns the increase of the difference with the roll (mm), which is the distance of the contacts.
     double arm() const {
         const auto y = [](const WheelRailSolution& wheel) {
             return wheel.patches.empty() ? 0 : wheel.patches.front().place.reference.y;
@@ -116,11 +116,13 @@ class Rolls {
     const WheelRailContact &left_, &right_;
     const WheelsetState& state_;
     WheelsetEstimates& estimates_;
-    double larger_;  // the left wheel's radius (mm): z of each wheel is against its own, and both have one axle
+    // This is the left wheel's radius minus the right one's (mm): z of each wheel is relative to its own radius, and
+    // both share one axle.
+    double larger_;
     WheelsetSolution solution_;
 };
 
-/// Heights of wheels that are not above their rails agree, too, and mean nothing.
+/// Heights of wheels that are not above their rails agree, too, but are meaningless.
 bool carries_load(const WheelRailSolution& wheel) {
     return wheel.in_contact() && wheel.force && wheel.force->converged;
 }
@@ -143,7 +145,7 @@ WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailCon
     return solve_wheelset(left, right, state, estimates, observer, height_tolerance);
 }
 
-// The heights that Hertz's theory expects are off by micrometres, and by nearly the same ones at all rolls.
+// The heights that Hertz's theory expects have errors of micrometres, which are nearly the same at all rolls.
 WheelsetSolution solve_wheelset(const WheelRailContact& left, const WheelRailContact& right, const WheelsetState& state,
                                 WheelsetEstimates& estimates, Observer& observer, double height_tolerance) {
     constexpr double expected_tolerance = 1e-3;  // mm

@@ -16,13 +16,13 @@ namespace {
 
 using geometry::CandidatePatch;
 
-constexpr double least_sagitta = 0.01;      // mm: what measured profiles are off by
-constexpr double part_of_overlap = 0.2;     // that curves between points may bend by
+constexpr double least_sagitta = 0.01;      // mm: error of measured profiles
+constexpr double part_of_overlap = 0.2;     // fraction by which curves between points may bend
 constexpr double least_of_slices = 0.05;    // mm
 constexpr double widest_interval = 0.3;     // rad, between coefficients of friction
 constexpr double largest_difference = 0.1;  // of these
 
-/// How far apart two neighbours are, and how far what lies between them is from the chord (mm).
+/// Holds the distance of two neighbours, and that of the curve between them from the chord (mm).
 struct Neighbours {
     double apart = 0, sagitta = 0;
 };
@@ -83,7 +83,7 @@ double angle_of_wheel_slices(const WheelRailSetup& setup, double angle) {
     return (next == slices.end() ? first + turn : next->angle) - (next - 1)->angle;
 }
 
-/// Returns the entry before an angle and the one behind it, where these are far apart; else nothing.
+/// Returns the entries before and behind an angle if these are far apart; otherwise nothing.
 template <class Entry>
 std::optional<std::pair<Entry, Entry>> far_apart(const std::vector<Entry>& table, double angle) {
     const auto next = std::ranges::upper_bound(table, angle, {}, &Entry::angle);
@@ -105,7 +105,7 @@ std::optional<std::string> of_friction(const std::vector<FrictionAtAngle>& mu, d
            " rad. Interpolation over such an interval is uncertain. Give friction.mu at more angles.";
 }
 
-/// Laws of temperature differ the most where one of them bends.
+/// Laws of temperature-dependent friction differ most where one of them bends.
 std::optional<std::string> of_heated_friction(const std::vector<TemperatureFrictionAtAngle>& laws, double angle) {
     const auto around = far_apart(laws, angle);
     if (!around) return {};
@@ -153,7 +153,7 @@ std::vector<std::string> thin_data_warnings(const CandidatePatch& found, const W
                        1 / (place.radii.wheel_along * upright) - 1 / radius, place, "radius of the wheel"));
     }
     if (!setup.friction) return warnings;
-    // Rows take friction by their own angles, which reach from the first to the last.
+    // Rows use friction at their own angles, which range from the first to the last.
     std::vector<double> angles{place.reference.angle};
     if (setup.friction->along_profile && !place.rows.empty())
         angles = {place.rows[place.rows.size() / 2].angle, place.rows.front().angle, place.rows.back().angle};

@@ -1,4 +1,4 @@
-// Warnings about sparse data: profiles, slices and friction with too few points for a contact.
+// Warns about sparse data: profiles, slices and friction with too few points for a contact.
 #pragma once
 
 #include <string>

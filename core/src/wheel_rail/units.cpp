@@ -46,7 +46,7 @@ bool is_of_vehicle(const WheelRailSetup& setup) {
     return setup.wheelset.nominal_radius > smallest;
 }
 
-/// The speed of the rim about its axle (mm/s).
+/// Returns the speed of the rim about its axle (mm/s).
 double rim_speed(const WheelRailSetup& setup, const WheelRailState& state) {
     return std::abs(state.velocity.pitch) * setup.wheelset.nominal_radius;
 }
@@ -56,7 +56,7 @@ bool is_near(double value, double expected) {
     return std::abs(value / expected - 1) < largest_slide;
 }
 
-/// Slices that lie closer than elements do, beside a wheel that has them a thousand times as far away.
+/// Warns of slices that are closer together than elements, with a wheel that is a thousand times as far away.
 void warn_of_place(const WheelRailSetup& setup, const WheelRailState& state, Sentences& warnings) {
     constexpr double closest = 2, metre = 1000;  // mm
     const auto& slices = setup.rail_slices;

@@ -8,8 +8,8 @@
 namespace contactd {
 namespace {
 
-constexpr double largest_slide = 0.5;       // longitudinal creepage of a wheel that is meant to roll
-constexpr double largest_curvature = 0.05;  // of the rail along the track over the wheel's, from where on it matters
+constexpr double largest_slide = 0.5;       // longitudinal creepage of a wheel that is not meant to slide
+constexpr double largest_curvature = 0.05;  // of the rail along the track over the wheel's, above which it matters
 
 }  // namespace
 

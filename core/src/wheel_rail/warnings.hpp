@@ -1,4 +1,4 @@
-// Warnings for users of a wheel-rail solution.
+// Creates warnings for users of a wheel-rail solution.
 #pragma once
 
 #include <optional>
@@ -18,9 +18,9 @@ std::string apart_along_normal(const ContactReference& reference, Side side);
 /// Warns of a candidate patch of a right wheel, named by its position on its own side.
 std::vector<std::string> warnings_of(const geometry::CandidatePatch& found, const WheelRailSetup& setup,
                                      const WheelRailState& state, bool has_friction);
-/// Warns of a place that the search has passed over.
+/// Warns of a place that the search has skipped.
 std::vector<std::string> warnings_of(const std::optional<geometry::PassedOver>& place, Side side);
-/// Those of its solution, under the same name.
+/// Returns the warnings of the patch's solution, with the same name.
 std::vector<std::string> warnings_of(const ContactReference& reference, Side side, const ContactSolution& solution);
 
 }  // namespace contactd

@@ -8,7 +8,7 @@
 namespace contactd {
 
 void check_curved_size(const Grid& grid) {
-    constexpr double most_values = 5e7;  // of each of nine components: 3.6 GB
+    constexpr double most_values = 5e7;  // limit of each of nine components: 3.6 GB in total
     if (static_cast<double>(grid.nx) * grid.ny * grid.ny > most_values)
         throw InvalidArgument("dy", "is " + number_text(grid.dy) + ", which results in a patch of " +
                                         std::to_string(grid.ny) + " rows of " + std::to_string(grid.nx) +

@@ -1,4 +1,4 @@
-// Limits of patches whose coefficients differ between rows.
+// Limits patches whose coefficients differ between rows.
 #pragma once
 
 #include "contactd/grid.hpp"

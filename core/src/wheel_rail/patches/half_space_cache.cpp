@@ -12,9 +12,9 @@ namespace {
 
 constexpr std::size_t most_cached = 64;
 constexpr std::size_t most_cached_elements = 400'000;  // of all together, about 100 MB
-constexpr int spare = 16;                              // offsets that a table has beyond those that were needed
+constexpr int spare = 16;                              // additional offsets of a table
 
-/// Returns a dimensionless table with units, as the engine has it: both round alike.
+/// Returns a dimensionless table with units, made as in the engine, so that both have the same rounding errors.
 IcTable table_of(const Body& body, double dx, double dy, int nx, int ny, const Observer& observer) {
     if (body.material.is_rigid()) return IcTable(nx, ny);
     const IcSpec spec{std::get<Ics>(body.ics), body.material, dx, dy, nx, ny};

@@ -26,8 +26,8 @@ StripSpectrum part_of(const StripSpectrum& whole, int first, int strips) {
     return part;
 }
 
-/// Takes strips as the section numbers them. Only the part of finite elements' transform that is needed becomes a
-/// table.
+/// Returns strips in the numbering of the section. Only the required part of the finite elements' transform is
+/// converted to a table.
 StripTable table_of(const std::optional<BodyStrips>& strips, const Grid& grid, const IcRecord* record,
                     const Observer& observer) {
     if (!strips) return {grid.nx, grid.ny};
@@ -50,8 +50,8 @@ ContactInfluence patch_influence(const ContactProblem& problem, const PatchStrip
     }
     if (!strips.of_sections()) return RotatedPatches().of(problem, strips, observer);
     check_curved_size(grid);
-    // A rail's strips run to the right and a wheel's to the left, as those of bodies that lie on each other do; rows
-    // run to the right.
+    // A rail's strips run to the right and a wheel's to the left, like those of bodies that lie on each other; rows run
+    // to the right.
     StripTable wheel = table_of(strips.wheel, grid, of_wheel, observer);
     return strip_influence(problem, mirrored(pair_of(table_of(strips.rail, grid, of_rail, observer), std::move(wheel))),
                            observer);

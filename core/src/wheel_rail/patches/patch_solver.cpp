@@ -20,7 +20,7 @@ using geometry::CandidatePatch;
 using geometry::spin_offset;
 using Values = std::vector<double>;
 
-/// The inclination of the rail at each row of elements.
+/// Returns the inclination of the rail at each row of elements.
 Values row_angles(const ContactPlace& place, const geometry::RailSurface& rail) {
     Values angles;
     for (const ContactRow& row : place.rows) angles.push_back(row.angle);
@@ -67,7 +67,7 @@ Rolling rolling_of(const Creepages& creepages, const WheelRailState& state, doub
     return rolling;
 }
 
-/// A wheel that does not move has one, too, in which nothing slips.
+/// Returns the shift, in which nothing slips if the wheel does not move.
 Shift shift_of(const Creepages& creepages, double seconds) {
     const double length = creepages.velocity * seconds;
     Shift shift;
@@ -87,7 +87,7 @@ RigidSlip rigid_slip_of(const std::vector<geometry::RowSlip>& rows, const Grid& 
     return slip;
 }
 
-/// Returns where the middles of rows lie between two places across the track, as ends of y on the grid.
+/// Returns the range of row middles between two positions across the track, as ends of y on the grid.
 Extent rows_between(const ContactPlace& place, double from, double to) {
     const Grid& grid = place.grid;
     Extent rows{0, -1};
@@ -101,13 +101,13 @@ Extent rows_between(const ContactPlace& place, double from, double to) {
     return rows;
 }
 
-/// A spin that moves no element by more than a rounding error of creepages.
+/// Returns whether the spin moves no element by more than a rounding error of creepages.
 bool is_next_to_nothing(double phi, const Grid& grid) {
     constexpr double least_creepage = 1e-9;
     return std::abs(phi) * std::hypot(grid.nx * grid.dx, grid.ny * grid.dy) <= least_creepage;
 }
 
-/// Refuses the contact problem of a patch in the words of the set-up that it was made from.
+/// Refuses the contact problem of a patch with the names of the set-up from which it was made.
 [[noreturn]] void refuse_as_of_wheel(const InvalidArgument& error, const ContactProblem& problem) {
     const std::string& field = error.field();
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
@@ -131,7 +131,7 @@ void scale(RigidSlip& slip, double length) {
         for (double& value : *values) value *= length;
 }
 
-/// Takes the motion, and what each element slips beside a plane one, which is all of it where surfaces slip row by row.
+/// Sets the motion, and the additional slip of each element, which is the whole slip if surfaces slip row by row.
 void set_motion(ContactProblem& problem, const WheelRailSetup& setup, const WheelRailState& state,
                 const CandidatePatch& found) {
     Creepages creepages = found.place.creepages;
@@ -148,7 +148,7 @@ void set_motion(ContactProblem& problem, const WheelRailSetup& setup, const Whee
     if (rolling == nullptr) scale(problem.rigid_slip, creepages.velocity * std::get<Shift>(problem.motion).duration);
 }
 
-/// Rows in track coordinates, and the creepages of the reference, also where surfaces slip row by row.
+/// Returns rows in track coordinates, and the creepages of the reference, even if surfaces slip row by row.
 WearPlace wear_place(const ContactPlace& place) {
     WearPlace result{.xi = place.creepages.xi, .eta = place.creepages.eta};
     for (const ContactRow& row : place.rows) result.rows.push_back({.y = row.y, .z = row.z, .angle = row.angle});
@@ -186,7 +186,7 @@ std::optional<ContactRegions> contact_regions(const ContactPlace& place, const P
         result.limits.push_back({{region.x.from - wider - origin, region.x.to + wider - origin}, y});
     }
     for (const std::size_t i : kept)
-        for (const std::size_t j : kept)  // those of a pair may differ by rounding
+        for (const std::size_t j : kept)  // Both shares of a pair may differ by rounding errors.
             result.shares.push_back(place.shares[std::min(i, j) * count + std::max(i, j)]);
     if (kept.empty()) return std::nullopt;
     return result;

@@ -1,4 +1,4 @@
-// The contact problem and the solution of a contact patch.
+// Solves the contact problem of a contact patch.
 #pragma once
 
 #include "contactd/contact.hpp"
@@ -16,8 +16,8 @@ Motion motion_of(const Creepages& creepages, double dx, const WheelRailSetup& se
 ContactProblem problem_of(const WheelRailSetup& setup, const WheelRailState& state,
                           const geometry::CandidatePatch& found, const geometry::RailSurface& rail);
 
-/// Returns the extended regions of overlap on the grid of a right wheel's patch, without regions that have no element;
-/// none if fewer than two overlap or none has an element.
+/// Returns the extended regions of overlap on the grid of a right wheel's patch, without regions that have no element.
+/// Returns nothing if fewer than two overlap or none has an element.
 std::optional<ContactRegions> contact_regions(const ContactPlace& place, const PatchRules& rules);
 
 /// Solves the problem on the strips of its patch. Its regions with a weighted interaction are those of a

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_sizes = 64;
 constexpr std::size_t most_elements_of_sizes = 100'000;  // of all together, about 50 MB
 
-/// Takes rows that lie side by side, of half-spaces with constant loads.
+/// Returns operators of adjacent rows of half-spaces with constant loads.
 ContactInfluence flat_influence(const ContactProblem& problem, const Observer& observer) {
     const Grid& grid = problem.grid;
     const auto half_space = [&](const Material& material) -> IcTable {
@@ -30,7 +30,7 @@ ContactInfluence flat_influence(const ContactProblem& problem, const Observer& o
 }  // namespace
 
 struct RotatedPatches::Kept {
-    /// All that what is kept depends on.
+    /// Holds everything on which the kept data depends.
     struct Key {
         MaterialPair bodies;
         int nx, ny;
@@ -51,8 +51,8 @@ struct RotatedPatches::Kept {
         Key key;
         std::shared_ptr<const MidwayInfluence> midway;
     };
-    std::mutex mutex;       // guards what follows
-    std::list<Size> sizes;  // used last first
+    std::mutex mutex;       // guards the following members
+    std::list<Size> sizes;  // most recently used first
 
     void forget_oldest() {
         std::size_t elements = 0, count = 0;

@@ -11,13 +11,13 @@
 namespace contactd {
 namespace {
 
-constexpr double accuracy = 1e-2;  // of coefficients: pressures of conformal contact hardly feel the sections
-constexpr int block = 32;          // tables begin and end at multiples of so many strips
-constexpr int margin = 2;          // strips that a table has beside a patch
+constexpr double accuracy = 1e-2;  // of coefficients: the sections hardly affect pressures of conformal contact
+constexpr int block = 32;          // tables begin and end at multiples of this number of strips
+constexpr int margin = 2;          // additional strips of a table beside a patch
 constexpr int most_stations = 100'000'000;
 
-/// A profile as the carrier of strips. Stations are multiples of dy along it, from its zero on; a strip lies about
-/// each.
+/// Represents a profile that carries strips. Stations are multiples of dy along it, from its origin on, and each strip
+/// is centred at one.
 class StripCarrier {
    public:
     StripCarrier(const ProfileSpec& profile, const ProfileCurve& curve, double ds)
@@ -34,7 +34,8 @@ class StripCarrier {
         depth_ = lowest + (curve.points().back().y - curve.points().front().y) / 2;
     }
 
-    /// Below `rows` rows, the first of which lies at this arc length from the beginning of the profile.
+    /// Returns the strips below `rows` rows, the first of which lies at this arc length from the beginning of the
+    /// profile.
     BodyStrips below(double first_row, int rows, const Material& material, const Grid& grid) const {
         const int nearest = static_cast<int>(std::lround((first_row - zero_) / ds_));
         const int begin = std::clamp(nearest, first_, std::max(first_, last_ + 1 - rows)), end = begin + rows;
@@ -60,7 +61,8 @@ class StripCarrier {
     static int floored(int station) { return block * static_cast<int>(std::floor(station / double{block})); }
     static int ceiled(int station) { return block * static_cast<int>(std::ceil(station / double{block})); }
 
-    /// `from` strips' widths from the zero, along the outline: of a wheel, towards its flange.
+    /// Returns the coefficients of strips that begin `from` strip widths from the origin, along the outline: for a
+    /// wheel, towards its flange.
     Ics ics(double from) const {
         Ics ics;
         ics.source = IcSource::fem;
@@ -75,7 +77,7 @@ class StripCarrier {
             ics.section->shape = outline({profile_, depth_, from * ds_});
         return ics;
     }
-    /// The outline is one that every client could state.
+    /// Returns an outline that any client could provide.
     OutlineSection outline(const ProfileSection& section) const {
         try {
             return geometry::outline_of(section, 0, "section");
@@ -88,7 +90,7 @@ class StripCarrier {
     const ProfileSpec& profile_;
     double ds_, zero_;
     int first_ = 0, last_ = 0;  // stations whose strips lie on the profile
-    double depth_ = 0;          // of the cut: half as deep below the profile as that is wide
+    double depth_ = 0;          // of the cut: half of the profile's width below it
 };
 
 }  // namespace

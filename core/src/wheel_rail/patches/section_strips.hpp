@@ -1,4 +1,4 @@
-// The strips of the cross-sections of wheel and rail below the rows of a curved contact.
+// Selects the strips of the cross-sections of wheel and rail below the rows of a curved contact.
 #pragma once
 
 #include "contactd/patch_strips.hpp"

@@ -1,5 +1,5 @@
-// Branches of the force over the height. If patches merge, the force decreases, and several heights produce the same
-// force.
+// Finds branches of the force over the height. If patches merge, the force decreases, and several heights produce the
+// same force.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace contactd {
 
-/// Returns the regions of overlap in all patches.
+/// Returns the number of regions of overlap in all patches.
 std::size_t regions_in(const WheelRailSolution& solution);
 
 /// Searches for the height nearest to `z` that is on another branch, between `z` and `end` (mm). Returns the border to

@@ -19,7 +19,7 @@ Values values_of(const Vector& vector) {
     return {vector.begin(), vector.end()};
 }
 
-/// Unknowns are counted in their first steps.
+/// Unknowns are in units of their first steps.
 class Search {
    public:
     explicit Search(const EquilibriumTask& task)
@@ -33,7 +33,7 @@ class Search {
 
     EquilibriumFound run() {
         Vector x = clamped(vector_of(task_.start).cwiseQuotient(unit_)), r = evaluate(x);
-        double reach = 1;  // of a step, in first steps
+        double reach = 1;  // limit of a step, in first steps
         while (!found_.converged && found_.evaluations < task_.max_evaluations && r.allFinite()) {
             const Vector step = clamped(x + limited(slopes_.fullPivLu().solve(-r), reach)) - x;
             if (!step.allFinite() || step.isZero(1e-15)) break;

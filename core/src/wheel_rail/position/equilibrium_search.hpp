@@ -1,4 +1,4 @@
-// The roots of a few functions whose evaluation costs a solve.
+// Finds the roots of a few functions whose evaluation costs a solve.
 #pragma once
 
 #include <functional>
@@ -9,26 +9,26 @@ namespace contactd {
 struct EquilibriumTask {
     using Values = std::vector<double>;
 
-    std::function<Values(const Values& x)> residuals;  ///< as many as unknowns; not numbers where there are none
+    std::function<Values(const Values& x)> residuals;  ///< as many as unknowns; NaN where they are undefined
     Values start;
-    Values low, high;   ///< nowhere beyond
-    Values first_step;  ///< the longest one of each unknown at first, > 0
-    /// Expected derivatives of the residuals by the unknowns, row by row.
+    Values low, high;   ///< bounds of the search
+    Values first_step;  ///< longest first step of each unknown, > 0
+    /// Holds the expected derivatives of the residuals with respect to the unknowns, row by row.
     Values slopes;
     double tolerance = 0;  ///< of all |residuals|
     int max_evaluations = 40;
 };
 
-/// The last point of evaluation.
+/// Describes the last point of evaluation.
 struct EquilibriumFound {
-    EquilibriumTask::Values at, slopes;  ///< the slopes as they were learnt
+    EquilibriumTask::Values at, slopes;  ///< slopes as corrected by the search
     double residual = 0;                 ///< the largest
     int evaluations = 0;
     bool converged = false;
 };
 
-/// Broyden's method within bounds: each evaluation corrects the slopes of the next step. A step that does not reduce
-/// the residual is halved. A function with a jump, or without a root, does not converge.
+/// Searches by Broyden's method within bounds: each evaluation corrects the slopes of the next step. A step that does
+/// not reduce the residual is halved. A function with a jump, or without a root, does not converge.
 EquilibriumFound find_equilibrium(const EquilibriumTask& task);
 
 }  // namespace contactd

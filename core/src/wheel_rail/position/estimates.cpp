@@ -11,7 +11,7 @@ using Patch = WheelRailEstimates::Patch;
 
 const Patch* nearest(const ContactPlace& place, const std::vector<Patch>& patches) {
     const Patch* best = nullptr;
-    double least = 0.5 * place.grid.ny * place.grid.dy;  // farther away it is the pressure of another contact
+    double least = 0.5 * place.grid.ny * place.grid.dy;  // Farther away, it would be the pressure of another contact.
     for (const Patch& patch : patches) {
         const double distance = std::abs(patch.y - place.reference.y);
         if (patch.grid.dx != place.grid.dx || patch.grid.dy != place.grid.dy || distance >= least) continue;
@@ -21,7 +21,7 @@ const Patch* nearest(const ContactPlace& place, const std::vector<Patch>& patche
     return best;
 }
 
-/// Moves values to the same position about the reference, to the next element; zero beside it.
+/// Moves values to the same position about the reference, rounded to elements, with zeros beside it.
 Values moved(const Values& values, const Grid& from, const Grid& to) {
     if (values.empty()) return {};
     const auto ix = static_cast<int>(std::lround((to.x0 - from.x0) / to.dx));

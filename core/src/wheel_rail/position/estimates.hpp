@@ -1,4 +1,4 @@
-// Estimates of the tractions of a patch from the previous step.
+// Estimates the tractions of a patch from the previous step.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace contactd {
 
-/// Returns the tractions of the nearest previous patch, moved with the reference by whole elements; empty if no patch
+/// Returns the tractions of the nearest previous patch, moved with the reference by whole elements, or none if no patch
 /// had the same elements.
 SurfaceState estimate_for(const ContactPlace& place, const std::vector<WheelRailEstimates::Patch>& before);
 

@@ -13,12 +13,12 @@
 namespace contactd {
 namespace {
 
-/// The force to the power of Hertz's law, which is nearly straight in z.
+/// Raises the force to the inverse power of Hertz's law, which is nearly linear in z.
 double straightened(double force) {
     return std::cbrt(force * force);
 }
 
-/// By how much forces differ from their estimates: the logarithm of the ratio, a straight line through what is known.
+/// Holds the logarithm of the ratio of forces to their estimates, as a straight line through the known values.
 class Correction {
    public:
     explicit Correction(HeightCorrection expected) : line_(expected) {}
@@ -28,15 +28,16 @@ class Correction {
         line_.logarithm = logarithm;
         z_ = z;
     }
-    /// Drops the slope that two heights beyond a fall led to; it does not hold here.
+    /// Drops the slope from two heights beyond a decrease, which does not apply here.
     void forget_slope() { line_.slope = 0; }
     double at(double z) const { return line_.logarithm + (z_ ? std::clamp(line_.slope * (z - *z_), -1.0, 1.0) : 0); }
     HeightCorrection line_at(double z) const { return {at(z), line_.slope}; }
 
    private:
-    static constexpr double least_distance = 1e-5;  // mm: closer together friction tells forces apart, not the height
+    // At smaller distances (mm), friction causes the difference of forces, not the height.
+    static constexpr double least_distance = 1e-5;
     HeightCorrection line_;
-    std::optional<double> z_;  // where its logarithm is
+    std::optional<double> z_;  // height of its logarithm
 };
 
 class Search {
@@ -60,7 +61,7 @@ class Search {
             solved_.push_back({z, force - target, force});
             found.falls = falls_ = falls_ || falls_behind_last();
             if (found.evidence.converged) break;
-            // The estimate, corrected once, is no guide: these are no bodies that such a force presses together.
+            // The estimate, corrected once, is useless: this force is not plausible for these bodies.
             if (solve > 1 && force > runaway * target) break;
             (force < target ? low_ : high_) = z;
             if (high_ - low_ < 1e-12 * (1 + std::abs(high_))) break;
@@ -90,8 +91,8 @@ class Search {
         });
     }
 
-    /// Returns a height beside the first one where the force has gone away from its target although the wheel was moved
-    /// towards it: there may be a height nearer to the first one, on either side of it. Asks for a few only.
+    /// Returns a height beside the first one if the force has moved away from its target although the wheel was moved
+    /// towards it. A height nearer to the first one may exist on either side of it. It returns only a few.
     std::optional<double> hidden() {
         const Solved first = solved_.front(), last = solved_.back();
         const bool lacks = first.excess < 0;
@@ -103,7 +104,7 @@ class Search {
         } else if (probed_ > probes.size()) {
             return std::nullopt;
         } else if (last.excess * first.excess < 0) {
-            // There are bounds beside the first height now: it and this one, or this one and where there is no contact.
+            // There are now bounds beside the first height: it and this one, or this one and a height without contact.
             const bool behind = (last.z < first.z) == lacks;
             low_ = lacks ? (behind ? least_ : first.z) : last.z;
             high_ = lacks ? last.z : (behind ? task_.deepest : first.z);
@@ -130,8 +131,8 @@ class Search {
         return HeightFound::Jump{low->force, high->force};
     }
 
-    /// Regula falsi between forces (Illinois), where estimates have not led there in a few solves, as those of patches
-    /// that merge do not.
+    /// Applies regula falsi between forces (Illinois), if estimates have not converged in a few solves, as for patches
+    /// that merge.
     std::optional<double> by_forces() {
         constexpr std::size_t enough = 20;
         const std::size_t count = solved_.size();
@@ -140,7 +141,7 @@ class Search {
         const auto low = at(low_), high = at(high_);
         if (low == solved_.end() || high == solved_.end()) return std::nullopt;
         same_side_ = solved_[count - 1].excess * solved_[count - 2].excess > 0 ? same_side_ + 1 : 0;
-        const double old = std::ldexp(1, -same_side_);  // what counts less of the end that stays
+        const double old = std::ldexp(1, -same_side_);  // weight of the end that stays
         const bool is_low = solved_.back().z == low_;
         const double below = (is_low ? 1 : old) * low->excess, above = (is_low ? old : 1) * high->excess;
         const double z = (low_ * above - high_ * below) / (above - below);
@@ -153,12 +154,11 @@ class Search {
         return known->second;
     }
 
-    /// The force at z; a spring that is nearly unloaded counts as one that carries a little.
+    /// Returns the target force at z; a spring that is nearly unloaded counts as one with a small load.
     double target_force(double z) const {
         return std::max(task_.target - task_.spring * (z - task_.first_contact_height), 1e-9 * task_.target);
     }
-    /// Returns the excess of the corrected estimate over the target force. The force of a spring may be next to
-    /// nothing.
+    /// Returns the excess of the corrected estimate over the target force. The force of a spring may be nearly zero.
     double excess(double z, double estimate) const {
         const double force = straightened(estimate * std::exp(correction_.at(z))),
                      target = straightened(target_force(z));
@@ -166,7 +166,7 @@ class Search {
     }
     double excess(double z) { return excess(z, estimate(z)); }
 
-    // Where the corrected estimate has the target force, within the bounds that the forces have given.
+    // Returns the height where the corrected estimate has the target force, within the bounds by the forces.
     double next() {
         End low{low_, excess(low_)};
         if (low.excess >= 0) return std::midpoint(low_, std::min(high_, low_ + first_step));
@@ -190,8 +190,8 @@ class Search {
         return between(low, *high);
     }
 
-    /// The excess is nearly straight from where it is -1: a little further than where that leads, since what lies
-    /// deeper costs the estimate more.
+    /// The excess is nearly linear from where it is -1. The result is slightly beyond the extrapolated height, because
+    /// larger depths make the estimate more expensive.
     End beyond(const End& low) {
         constexpr double generous = 1.1;
         const double straight =
@@ -200,7 +200,7 @@ class Search {
         return {z, excess(z)};
     }
 
-    /// Regula falsi between bounds that close in (Illinois); nothing is asked of the estimate but that it rises.
+    /// Applies regula falsi between shrinking bounds (Illinois). The estimate only needs to increase.
     double between(End low, End high) {
         double z = std::midpoint(low.z, high.z);
         int side = 0;
@@ -226,11 +226,11 @@ class Search {
     double tight() const { return 0.01 * task_.settings.tolerance; }
 
     static constexpr double first_step = 0.02;  // mm
-    static constexpr double loose = 1e-3;       // of what was missing: corrections are not that good
+    static constexpr double loose = 1e-3;       // of the last error, which corrections do not reduce further
     static constexpr double runaway = 1e3;
     static constexpr double noise = 1e-3;  // of forces on other elements
     static constexpr std::array probes{-0.5, 0.25,  -1.0,
-                                       0.5,  -0.25, -3.0};  // of the way to where the force has gone away
+                                       0.5,  -0.25, -3.0};  // fractions of the way to where the force has moved away
     std::vector<Solved> solved_;
     bool falls_ = false;
     std::size_t probed_ = 0;
@@ -238,7 +238,7 @@ class Search {
     double far_ = 0;
     const HeightTask& task_;
     double least_, low_, high_, settled_;
-    std::map<double, double> estimates_;  // those asked for, by z: from force to force they are the same
+    std::map<double, double> estimates_;  // computed ones by z, because they are the same for each force
     Correction correction_;
 };
 

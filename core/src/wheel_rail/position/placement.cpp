@@ -6,8 +6,9 @@
 namespace contactd {
 namespace {
 
-/// Returns by how much gaps change beside the approach as the wheel is lowered, over that: it slides along the plane,
-/// where its profile is inclined at the ends of the contact, and the rows of a curved contact face other ways.
+/// Returns the change of gaps in addition to the approach as the wheel is lowered, over the change of the approach. The
+/// wheel slides along the plane, where its profile is inclined at the ends of the contact, and the rows of a curved
+/// contact have other directions.
 double change_beside_approach(const ContactPlace& place) {
     double across = 0, turned = 0;
     for (const OverlapRegion& region : place.regions)
@@ -31,7 +32,7 @@ InfluenceSource Placement::Patch::kept(const InfluenceSource& source) const {
 }
 
 void Placement::add(geometry::CandidatePatch found, ContactProblem problem) {
-    // How much regions act on each other changes with their distance, and so with the height.
+    // The interaction of regions depends on their distance, and thus on the height.
     if (found.place.regions.size() > 1) reach_ = 0;
     constexpr double least_change = 1e-3;
     const double approach = std::max(found.place.approach, 0.0);

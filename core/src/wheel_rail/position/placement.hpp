@@ -1,4 +1,4 @@
-// Patches of a wheel at one height, prepared for solves at this height and nearby.
+// Prepares patches of a wheel at one height for solves at this height and nearby.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace contactd {
 
-/// Near the height at which places and gaps were found, these stay unchanged, and approaches follow the height.
+/// Near the height at which places and gaps were computed, these do not change, and approaches follow the height.
 class Placement {
    public:
     class Patch {
@@ -22,7 +22,7 @@ class Placement {
         Patch(geometry::CandidatePatch found_, ContactProblem problem_)
             : found(std::move(found_)), problem(std::move(problem_)) {}
 
-        /// Returns a source that calls the other one once. It must not outlive the patch.
+        /// Returns a source that calls `source` once. It must not outlive the patch.
         InfluenceSource kept(const InfluenceSource& source) const;
 
         geometry::CandidatePatch found;
@@ -41,7 +41,7 @@ class Placement {
 
     void add(geometry::CandidatePatch found, ContactProblem problem);
 
-    /// Returns whether the patches found can be used at this height.
+    /// Returns whether the patches can be used at this height.
     bool holds_at(double z) const { return std::abs(z - z_) <= reach_; }
     /// Returns whether there is a single patch of a single region, whose approach determines the height.
     bool is_single() const { return patches.size() == 1 && patches.front().found.place.regions.size() == 1; }

@@ -42,7 +42,7 @@ class Search {
     void learn(const Point& here) {
         std::optional<Point>& same = here.value < 0 ? below_ : above_;
         std::optional<Point>& other = here.value < 0 ? above_ : below_;
-        // Twice on one side: what the other end knows is old, and counts for less (Illinois).
+        // After two points on one side, the value at the other end is outdated, and its weight is halved (Illinois).
         if (same && other && last_side_ == (here.value < 0)) other->value *= 0.5;
         last_side_ = here.value < 0;
         same = here;
@@ -54,7 +54,7 @@ class Search {
     }
 
     const RisingTask& task_;
-    std::optional<Point> below_, above_;  // where the function is negative, and positive
+    std::optional<Point> below_, above_;  // points where the function is negative, and positive
     std::optional<bool> last_side_;
 };
 

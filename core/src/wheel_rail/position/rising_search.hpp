@@ -1,4 +1,4 @@
-// The root of an increasing, expensive function.
+// Finds the root of an increasing, expensive function.
 #pragma once
 
 #include <functional>
@@ -9,19 +9,19 @@ struct RisingTask {
     std::function<double(double)> function;
     double start = 0;
     double step = 1;           ///< first one, > 0
-    double low = 0, high = 0;  ///< nowhere beyond
+    double low = 0, high = 0;  ///< bounds of the search
     double tolerance = 0;      ///< of |function|
     int max_evaluations = 40;
 };
 
-/// The last point of evaluation.
+/// Describes the last point of evaluation.
 struct RisingFound {
     double at = 0, value = 0;
     int evaluations = 0;
     bool converged = false;
 };
 
-/// Secant method between shrinking bounds; a jump across zero does not converge.
+/// Searches by the secant method between shrinking bounds. A jump across zero does not converge.
 RisingFound find_rising(const RisingTask& task);
 
 }  // namespace contactd

@@ -8,7 +8,7 @@
 namespace contactd {
 namespace {
 
-/// Zero where there are none.
+/// Returns a value, or zero if there are none.
 double value_at(const std::vector<double>& values, std::size_t i) {
     return values.empty() ? 0 : values[i];
 }
@@ -18,7 +18,7 @@ std::optional<double> value_if_any(const std::vector<double>& values, std::size_
     return values[i];
 }
 
-/// What particles bring that have not been in contact, where the friction of the problem carries something.
+/// Sets the state of particles that have not been in contact, if the friction of the problem has a state.
 void begin_friction_state(SurfaceState& state, const ContactProblem& problem) {
     if (!problem.friction) return;
     const FrictionLaw& law = *problem.friction;
@@ -46,7 +46,7 @@ TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& b
         if (patches_.empty() || patch.grid.dx != patches_[0].grid.dx || patch.grid.dy != patches_[0].grid.dy) continue;
         const Elements elements = elements_of(patch.grid, seen(patch.on_rail, patch.x));
         std::vector<Traction> whole;
-        std::vector<Patch*> owners;  // of each
+        std::vector<Patch*> owners;  // owner of each traction
         for (std::size_t i = 0; i < patch.grid.size(); ++i) {
             const double pressure = value_at(patch.tractions.pressure, i);
             const double along = value_at(patch.tractions.traction_x, i);
@@ -70,7 +70,7 @@ TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& b
     }
 }
 
-/// Gives all parts that are curved the whole, and of those in planes the first one.
+/// Gives the whole to all parts that are curved, and to the first one of those in planes.
 void TractionHistory::share_whole(const std::vector<Traction>& whole, const std::vector<Patch*>& owners) {
     bool is_first = true;
     for (Patch& patch : patches_) {
@@ -86,7 +86,7 @@ long long TractionHistory::Elements::beside(long long ix, long long iy) const {
     return std::max({0LL, x - ix, ix - (x + nx - 1), y - iy, iy - (y + ny - 1)});
 }
 
-// The first element is rounded, and the others follow it: those of steady rolling lie about their reference.
+// The first element is rounded, and the others follow it, because those of steady rolling lie about their reference.
 TractionHistory::Elements TractionHistory::elements_of(const Grid& grid, const RailPlace& on_rail) {
     return {std::llround((on_rail.along + grid.x(0)) / grid.dx), std::llround((on_rail.across + grid.y(0)) / grid.dy),
             grid.nx, grid.ny};

@@ -1,4 +1,4 @@
-// Tractions from which a transient step starts.
+// Determines the tractions from which a transient step starts.
 #pragma once
 
 #include <optional>
@@ -26,19 +26,19 @@ class TractionHistory {
     bool shares(std::size_t patch) const { return patches_[patch].shares; }
     /// Returns the grid of a patch, extended to the elements of its tractions.
     Grid widened(std::size_t patch) const;
-    /// Returns the tractions on the elements of a patch's problem, or none. Includes other state of particles if the
-    /// friction law requires it.
+    /// Returns the tractions on the elements of a patch's problem, or none. They include other state of particles if
+    /// the friction law requires it.
     SurfaceState on(std::size_t patch, const ContactProblem& problem) const;
     /// Returns the force (N) lost on elements that are too far away.
     double force_left_behind() const { return left_behind_; }
 
    private:
-    /// Positions of elements on the rail are multiples of their sizes.
+    /// Describes positions of elements on the rail as multiples of their sizes.
     struct Elements {
         long long x = 0, y = 0;
         int nx = 0, ny = 0;
 
-        long long beside(long long ix, long long iy) const;  ///< how many elements away the farther coordinate is
+        long long beside(long long ix, long long iy) const;  ///< number of elements to the farther coordinate
     };
     struct Traction {
         long long x, y;
