@@ -59,7 +59,7 @@ struct ContactsRequest {
 struct PlacedProfiles {
     std::vector<ProfilePoint> wheel, rail;
     double wheel_origin = 0;     ///< distance from the middle of the axle to y = 0 of the wheel's profile
-    ProfilePoint rail_origin{};  ///< distance from the middle of the track
+    ProfilePoint rail_origin{};  ///< position relative to the middle of the track
     ProfileEvidence wheel_evidence{}, rail_evidence{};
 
     bool operator==(const PlacedProfiles&) const = default;

@@ -146,7 +146,7 @@ void add_damages(const FatigueRequest& request, ContactFatigue& fatigue, std::ve
 
 /// Warns if elastic stresses are far beyond yield.
 void warn_of_flow(const FatigueRequest& request, const ContactFatigue& fatigue, std::vector<std::string>& warnings) {
-    constexpr double most = 4;  // of frictionless rolling, the limit of shakedown (Johnson, section 9.2)
+    constexpr double most = 4;  // limit of shakedown in frictionless rolling (Johnson, section 9.2)
     if (!request.strength || !fatigue.load || *fatigue.load <= most) return;
     warnings.push_back("The largest pressure is " + short_text(*fatigue.load) +
                        " times the yield strength in shear of " + request.strength->name +

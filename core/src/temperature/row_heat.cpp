@@ -23,7 +23,7 @@ RowHeat::RowHeat(const ThermalBodies& bodies, double velocity, std::optional<dou
 // While its surface passes through the contact, a body absorbs heat in proportion to its effusivity and the root of its
 // speed.
 RowShares RowHeat::shares(double slip) const {
-    constexpr double least = 1e-12;  // of the velocity; the heat must go into one of the bodies
+    constexpr double least = 1e-12;  // fraction of the velocity; the heat must flow into one of the bodies
     const double above = upper_ ? *upper_ : 1 - 0.5 * slip, below = upper_ ? *upper_ + slip : 1 + 0.5 * slip;
     const auto root = [least](double part) { return std::sqrt(std::max(std::abs(part), least)); };
     const double upper = bodies_.upper.effusivity() * root(above), lower = bodies_.below().effusivity() * root(below),

@@ -14,7 +14,7 @@ using geometry::WheelSurface;
 
 constexpr double beyond_throat = 10;  // mm: distance at which flanges have become treads
 constexpr double least_lift = 1;      // mm: contacts in the throat lift treads by tenths
-constexpr double lift_of_face = 0.2;  // mm: on the steep face, where Fy is larger than Fz
+constexpr double lift_of_face = 0.2;  // mm: least lift where Fy exceeds Fz, as on the steep face
 constexpr double near_end = 0.15;     // in widths: treads are rolled up to 25 mm from their ends
 
 double y_on_wheel(const ContactReference& reference, const WheelSurface& wheel) {

@@ -25,8 +25,7 @@ class ShiftLaw {
     template <class Number>
     EllipseState<Number> state(const std::array<Number, 2>& w) const {
         using std::hypot, std::sqrt;
-        const std::array<Number, 2> force{-w[0] / compliance_[0],
-                                          -w[1] / compliance_[1]};  // as if all elements adhered
+        const std::array<Number, 2> force{-w[0] / compliance_[0], -w[1] / compliance_[1]};  // as if all adhered
         const Number size = hypot(force[0], force[1]);
         if (size == Number(0)) return {};
         if (size >= Number(bound_)) return {direction_of_slip(w, full_shift()), Number(0)};

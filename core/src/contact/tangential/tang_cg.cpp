@@ -9,7 +9,7 @@ namespace {
 using Values = std::vector<double>;
 
 constexpr int most_failures = 3;     // refreshes that do not reduce f
-constexpr int steps_to_settle = 2;   // before slip elements may adhere
+constexpr int steps_to_settle = 2;   // steps before slip elements may adhere
 constexpr double on_bound = 1e-9;    // relative distance from the bound within which elements count as on it
 constexpr double near_bound = 1e-3;  // the same for an estimate
 constexpr double rounding = 1e-12;   // of the slip distance

@@ -97,8 +97,8 @@ class RailSurface {
     double cosine_, sine_;
     Span visible_;
     std::optional<double> radius_, axle_;
-    ProfilePoint inwards_{0, 1};    // of a roller: the direction from its surface to the axle of its surface
-    double from_inwards_axle_ = 0;  // and the distance of the track's origin from that axle, along that direction
+    ProfilePoint inwards_{0, 1};             // of a roller: the direction from its surface to the axle of its surface
+    double from_inwards_axle_ = 0;           // distance of the track's origin from that axle, along that direction
     mutable std::map<int, Column> columns_;  // of slices; each surface belongs to one thread
 };
 

@@ -20,8 +20,8 @@ constexpr double steepest_flange = 4;     // slope that determines how far conta
 constexpr std::size_t side = 8;           // of a square, in steps
 // A gap within a square may be less than those at its corners by this much (mm).
 constexpr double least_dent = 0.02;
-constexpr double coarsely_settled = 1e-3;  // mm: error of gaps at corners, which is small compared with that
-constexpr double slope_dent = 0.5;         // and this part of their difference
+constexpr double coarsely_settled = 1e-3;  // mm: error of gaps at corners, small compared with least_dent
+constexpr double slope_dent = 0.5;         // additional part of the difference of gaps at corners
 constexpr int most_nodes = 10'000'000;     // 80 MB of gaps
 constexpr double unknown_dent = 0.5;       // in widths of the square, if there is a corner without wheel or rail
 

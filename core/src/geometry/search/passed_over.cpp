@@ -8,8 +8,8 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double coarse_x = 1, coarse_y = 0.5;  // mm
-constexpr double least_depth = 0.005;           // mm: least overlap that matters,
-constexpr double part_of_depth = 0.1;           // and as a part of the deepest one
+constexpr double least_depth = 0.005;           // mm: least overlap that matters
+constexpr double part_of_depth = 0.1;           // least overlap over the deepest one
 
 }  // namespace
 

@@ -122,7 +122,7 @@ PaddedFft::ComplexSymbol PaddedFft::times_along_x(const Symbol& symbol,
     ComplexSymbol result{symbol, std::vector<double>(symbol.size())};
     for (std::size_t at = 0; at < symbol.size(); ++at) {
         const std::size_t column = at / plans.symbol_size() * lanes + at % lanes;
-        if (column >= factor.size()) continue;  // fills up whole groups
+        if (column >= factor.size()) continue;  // only fills up whole groups
         result.real[at] = symbol[at] * factor[column].real();
         result.imag[at] = symbol[at] * factor[column].imag();
     }
