@@ -1,7 +1,8 @@
 /* The functions of the CONTACT program's C library, solved by contactd in process.
  *
  * A program that calls that library for basic contact ("module 3") or for a wheel on a rail ("module 1") can link this
- * one instead. docs/cntc.md lists the supported features and the signs of each function.
+ * one instead. docs/cntc.md lists the supported features and the signs of each function, and
+ * docs/contact-conventions.md the meaning of each digit and number.
  *
  * Every argument is a pointer; functions return nothing. `ire` is the number of a result element, and `icp` that of a
  * contact problem in it, from 1 on. In functions that set values, and in cntc_calculate, -1 as `icp` means all contact
@@ -64,9 +65,9 @@ void cntc_getflags(int* ire, int* icp, int* lenflg, int* params, int* values);
 void cntc_setmetadata(int* ire, int* icp, int* lenmta, int* params, double* values);
 void cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints, int* iparam, int* nreals, double* rparam);
 
-/* Sets the inputs from an input file of module 3, one case for each contact problem of the result element: the cases
- * with its number, or those of a file without numbers. `itype` has no effect. `*ierror` is 0, or the code of a refusal;
- * inputs set before the refusal remain. */
+/* Sets the inputs from an input file: one case for each contact problem of the result element, or one case of a wheel
+ * on a rail. Cases are those with the number of the element, or those of a file without numbers. `itype` has no effect.
+ * `*ierror` is 0, or the code of a refusal; a refused case changes nothing. */
 void cntc_readinpfile(int* ire, int* itype, const char* name, int* len_name, int* ierror);
 
 /* --- bodies and friction -------------------------------------------------------------------------------------- */
@@ -80,7 +81,7 @@ void cntc_readinpfile(int* ire, int* itype, const char* name, int* len_name, int
  * 10: no damping, 11: unchanged damping, 12: [cdampn, cdampt, dfnmax, dftmax], of which the first two must be 0. */
 void cntc_setmaterialparameters(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
 /* Sets the friction. imeth 0: [fstat, fkin], which must be equal; 2, 3 and 4: [fkin, f1, s1, f2, s2, memdst, mem_s0];
- * 5: Polach's [fstat, A, B]; 6: [fref, tref, dfheat, dtheat, memdst = 0, mem_s0]. For a wheel on a rail, imeth plus 10:
+ * 5: Polach's [fstat, A, B]; 6: [fref, tref, dfheat, dtheat, memdst, mem_s0]. For a wheel on a rail, imeth plus 10:
  * [number, and for each the rail's angle and these values]; imeth plus 20: positions along the track instead. */
 void cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params);
 /* Returns [velocity, chi, dq, centre of spin along x and y, tau_c0] for itask 1, the material for 2, the friction for
@@ -192,7 +193,7 @@ void cntc_getprofilevalues_new(int* ire, int* itask, int* nints, int* iparam, in
 /* --- heat --------------------------------------------------------------------------------------------------- */
 
 /* imeth 3: [bulk temperature, heat capacity, conductivity, density] of body 1 and of body 2, and the share of a layer's
- * plastic work that becomes heat, which has no effect and may be missing; 1 keeps them, 0 is none. */
+ * plastic work that becomes heat, which is 1 if it is missing; 1 keeps them, 0 is none. */
 void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* nparam, double* rparam);
 /* The largest temperatures of the surfaces of both bodies; 0 without heat. */
 void cntc_getmaximumtemperature(int* ire, int* icp, double* t1max, double* t2max);
