@@ -1,4 +1,5 @@
-"""docs/cntc.md says of each function of the header what is covered, and its example is the one that is run."""
+"""docs/cntc.md says of each function of the header what is covered, and its example is the one that is run. Flags are
+there or in docs/contact-conventions.md."""
 
 import re
 from pathlib import Path
@@ -43,3 +44,11 @@ def test_the_page_counts_right() -> None:
 def test_the_example_of_the_page_is_the_program() -> None:
     program = (ROOT / "client" / "cntc" / "example" / "creep_forces.c").read_text()
     assert f"```c\n{program}```" in PAGE
+
+
+def test_every_flag_is_on_a_page() -> None:
+    codes = (ROOT / "client" / "cntc" / "src" / "edge" / "codes.hpp").read_text().split("namespace flag {")[1].split("}")[0]
+    flags = set(re.findall(r" = (\d{4});", codes))
+    assert len(flags) > 15
+    pages = PAGE.split("## Flags")[1] + (ROOT / "docs" / "contact-conventions.md").read_text()
+    assert not flags - set(re.findall(r"\b\d{4}\b", pages))
