@@ -40,7 +40,8 @@ if(TARGET contactd_local_c)
   contactd_install_c(contactd_local_c contactd-local c_local_library)
 endif()
 if(TARGET contactd_c OR TARGET contactd_local_c)
-  install(DIRECTORY client/c/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT c_development)
+  install(DIRECTORY client/c/include/ client/c/generated/include/
+    DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT c_development)
   install(FILES client/c/fortran/contactd_calls.f90 client/c/fortran/contactd.f90
     client/c/matlab/contactd_mex.c client/c/matlab/contactd_mex_calls.h
     DESTINATION ${CMAKE_INSTALL_DATADIR}/contactd COMPONENT c_development)

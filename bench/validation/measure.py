@@ -18,7 +18,7 @@ from contactd.contact_files.case import Case
 from contactd.contact_files.out_file import lines_of, out_text
 from contactd.contact_files.profile_files import ProfileFiles
 from contactd.contact_files.runner import Outcome, Runner, chains_of
-from contactd.values.wheel_rail.setup import WheelSurface
+from contactd.values.generated.wheel_rail.setup import WheelSurface
 
 __all__ = ["WORKERS", "Computed", "Run", "compute"]
 

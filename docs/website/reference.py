@@ -58,7 +58,7 @@ def python(modules: list[str]) -> str:
         text = ast.get_docstring(ast.parse((PACKAGE / f"{module.replace('.', '/')}.py").read_text())) or ""
         objects = "\n".join(f".. auto{_kind(getattr(contactd, name))}:: {name}" for name in exported[module])
         title = module.partition(".")[2] or module  # without the folder
-        title = title.replace(".", " ").replace("_", " ")
+        title = title.removeprefix("generated.").replace(".", " ").replace("_", " ")
         parts.append(f"## {title}\n\n```{{eval-rst}}\n.. currentmodule:: contactd\n\n{_lead(text)}\n\n{objects}\n```\n")
     return "\n".join(parts)
 

@@ -55,7 +55,7 @@ def assemble(asked: str, folder: Path) -> None:
     sources = tarfile_of(git("archive", "--format=tar", "HEAD"))
     write_tar(folder / f"{name}-source.tar.gz", {f"{name}/{file}": data for file, data in sources.items()})
     sdist(folder, sources)
-    headers = {f"include/{file}": sources[f"client/{place}/include/{file}"] for place, file in (("c", "contactd.h"), ("c", "contactd/paths.h"), ("cntc", "contactd_cntc.h"))}
+    headers = {f"include/{file}": sources[f"client/{place}/include/{file}"] for place, file in (("c", "contactd.h"), ("c/generated", "contactd/paths.h"), ("cntc", "contactd_cntc.h"))}
     pages = {"LICENSE": sources["LICENSE"], "README.md": sources["packaging/release/LIBRARIES.md"]}
     examples = {f"examples/{Path(file).name}": data for file, data in sources.items() if file.startswith(("client/c/example/", "client/c/fortran/", "client/cntc/example/"))}
     inside = notices_of(folder)

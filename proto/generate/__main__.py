@@ -9,27 +9,24 @@ import argparse
 import sys
 from pathlib import Path
 
-from .c_paths import c_files
-from .cpp import INCLUDE, SOURCES, cpp_files
+from . import c_paths, cpp, fmu, python
 from .declarations import ROOT, Declarations
-from .fmu import fmu_files
-from .python import generated_modules, python_files
 
 
 def differing() -> dict[Path, str | None]:
     """The files whose text in the tree is another one than the generated; None where there should be no file."""
     declarations = Declarations()
     generated = {
-        **cpp_files(declarations),
-        **c_files(declarations),
-        **fmu_files(declarations),
-        **python_files(declarations),
+        **cpp.cpp_files(declarations),
+        **c_paths.c_files(declarations),
+        **fmu.fmu_files(declarations),
+        **python.python_files(declarations),
     }
     wrong: dict[Path, str | None] = {
         path: text for path, text in generated.items() if not path.exists() or path.read_text() != text
     }
-    written = [*(INCLUDE / "fields").glob("*"), *SOURCES.glob("*"), *generated_modules()]
-    wrong.update((path, None) for path in written if path not in generated)
+    found = (path for part in (cpp, c_paths, fmu, python) for path in part.GENERATED.rglob("*") if path.is_file())
+    wrong.update((path, None) for path in found if path not in generated and path.suffix != ".pyc")
     return wrong
 
 

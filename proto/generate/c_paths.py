@@ -9,7 +9,7 @@ from pathlib import Path
 from .cpp import NOTE, formatted
 from .declarations import ROOT, Declarations, Schema, is_custom
 
-TARGET = ROOT / "client" / "c" / "include" / "contactd" / "paths.h"
+GENERATED = ROOT / "client" / "c" / "generated"
 #: What paths begin with in contactd.h, and the schema there.
 INPUTS = [
     ("setup", "definitions.json#/definitions/wheel_rail_setup"),
@@ -70,7 +70,7 @@ def c_files(declarations: Declarations) -> dict[Path, str]:
     for name in sorted(enums):
         start = f"#define CONTACTD_WORD_{_upper(name.removesuffix('Kind'))}_"
         lines += [f'{start}{_upper(word)} "{word}"' for word in declarations.enums[name].keywords]
-    return {TARGET: formatted("\n".join([*lines, "", "#endif", ""]))}
+    return {GENERATED / "include" / "contactd" / "paths.h": formatted("\n".join([*lines, "", "#endif", ""]))}
 
 
 def _fields(declarations: Declarations, schema: Schema, above: str) -> Iterator[tuple[str, Schema]]:

@@ -9,7 +9,8 @@ from pathlib import Path
 from .declarations import ROOT, Bounds, DeclarationError, Declarations, Enum, Field, Struct
 
 INCLUDE = ROOT / "core" / "include" / "contactd"
-SOURCES = ROOT / "core" / "types" / "fields"
+GENERATED = ROOT / "core" / "types" / "generated"
+HEADERS = GENERATED / "include" / "contactd" / "fields"
 NOTE = "// Written by ./dev generate from proto/schema: edit it there.\n"
 #: Words that C++ reserves, and the enumerators for them.
 RESERVED = {"auto": "automatic"}
@@ -28,9 +29,9 @@ def cpp_files(declarations: Declarations) -> dict[Path, str]:
         enums = [one for one in declared if isinstance(one, Enum)]
         structs = [one for one in declared if isinstance(one, Struct)]
         used = {_home(field.type, homes) for struct in structs for field in struct.fields if field.type and not field.is_custom}
-        files[INCLUDE / "fields" / header] = formatted(_header(header, sorted(used - {header}), enums, structs))
+        files[HEADERS / header] = formatted(_header(header, sorted(used - {header}), enums, structs))
         if structs:
-            files[SOURCES / f"{Path(header).stem}.cpp"] = formatted(_source(header, structs, declarations.structs))
+            files[GENERATED / f"{Path(header).stem}.cpp"] = formatted(_source(header, structs, declarations.structs))
     return files
 
 

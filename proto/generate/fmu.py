@@ -9,7 +9,7 @@ from pathlib import Path
 from .cpp import NOTE, formatted, number_text
 from .declarations import ROOT, DeclarationError, Declarations, Schema
 
-TARGET = ROOT / "client" / "fmu" / "variables" / "wheel_fields.hpp"
+GENERATED = ROOT / "client" / "fmu" / "variables" / "generated"
 ROLES = ("parameter", "input", "output")
 #: Where fields begin: what their paths begin with in contactd.h, and the schema there.
 ROOTS = [
@@ -24,9 +24,9 @@ def fmu_files(declarations: Declarations) -> dict[Path, str]:
     for root, reference in ROOTS:
         schema = declarations.resolved({"$ref": reference})
         variables += [_variable(root, name, field) for name, field in _fields(declarations, schema, "")]
-    lines = [NOTE, "#pragma once\n", "#include <array>\n", '#include "variable.hpp"\n', "namespace contactd::fmu::detail {\n"]
+    lines = [NOTE, "#pragma once\n", "#include <array>\n", '#include "variables/variable.hpp"\n', "namespace contactd::fmu::detail {\n"]
     lines += ["inline constexpr auto wheel_fields = std::to_array<Variable>({", *variables, "});\n"]
-    return {TARGET: formatted("\n".join([*lines, "}  // namespace contactd::fmu::detail\n"]))}
+    return {GENERATED / "wheel_fields.hpp": formatted("\n".join([*lines, "}  // namespace contactd::fmu::detail\n"]))}
 
 
 def _fields(declarations: Declarations, schema: Schema, above: str) -> Iterator[tuple[str, Schema]]:

@@ -6,6 +6,7 @@ another module. Methods of a class are those of a base that is written by hand.
 
 from __future__ import annotations
 
+import os
 import re
 import textwrap
 from pathlib import Path
@@ -15,13 +16,15 @@ from .python_classes import Class, Collected, Member, in_code, in_python, litera
 from .python_modules import MODULES, Module
 
 VALUES = ROOT / "client" / "python" / "contactd" / "values"
+GENERATED = VALUES / "generated"
 NOTE = "Written by ./dev generate from proto/schema: edit it there."
+PACKAGE = f'"""Values whose fields are those of the schemas.\n\n{NOTE}\n"""\n'
 WIDTH = 120
 #: Names of other modules that generated code uses, and what imports them.
 NAMES = {
     "Sequence": "collections.abc", "Mapping": "collections.abc", "dataclass": "dataclasses", "field": "dataclasses",
     "replace": "dataclasses", "KW_ONLY": "dataclasses", "TYPE_CHECKING": "typing", "Any": "typing", "Literal": "typing", "TypedDict": "typing",
-    "Generic": "typing", "PathLike": "os", "npt": "import numpy.typing as npt", "np": "import numpy as np", "public": "...refusals",
+    "Generic": "typing", "PathLike": "os", "npt": "import numpy.typing as npt", "np": "import numpy as np", "public": "../refusals",
 }  # fmt: skip
 UNPACK = "\nif TYPE_CHECKING:\n    from typing_extensions import Unpack\n"
 REPLACE = '''
@@ -41,19 +44,16 @@ def python_files(declarations: Declarations) -> dict[Path, str]:
     for module in MODULES:
         found = mine[module.name]
         found.collect(lambda name, here=module.name, taken=frozenset(homes): name not in taken and roots.get(name, here) == here)
-        files[VALUES / f"{module.name}.py"] = _text(module, found, homes)
-        homes.update(dict.fromkeys([*found.classes, *found.words, *module.aliases], module.name))
+        files[GENERATED / f"{module.name}.py"] = _text(module, found, homes)
+        homes.update(dict.fromkeys([*found.classes, *found.words, *module.aliases], f"generated/{module.name}"))
+    files.update((path.with_name("__init__.py"), PACKAGE) for path in [*files])
     return files
-
-
-def generated_modules() -> list[Path]:
-    return [path for path in VALUES.rglob("*.py") if NOTE in path.read_text()[:2000]]
 
 
 def _written_by_hand() -> dict[str, str]:
     """The module of each class and alias that is written by hand."""
     homes: dict[str, str] = {}
-    for path in sorted(set(VALUES.rglob("*.py")) - set(generated_modules()) - {VALUES / f"{module.name}.py" for module in MODULES}):
+    for path in sorted(set(VALUES.rglob("*.py")) - set(GENERATED.rglob("*.py"))):
         text = path.read_text()
         module = path.relative_to(VALUES).with_suffix("").as_posix()
         homes.update(dict.fromkeys(re.findall(r"^(?:class )?([A-Z]\w+)(?:\(| =|:)", text, re.MULTILINE), module))
@@ -72,7 +72,8 @@ def _text(module: Module, found: Collected, homes: dict[str, str]) -> str:
     exported = _all([*found.classes, *found.words, *filter(None, keywords.values()), *module.aliases])
     body = f"{UNPACK if any(keywords.values()) else ''}\n{exported}{'' if code else chr(10)}\n{body}"
     head = f'"""{_filled(module.says, 3, 0)}\n\n{NOTE}\n"""\n\nfrom __future__ import annotations\n\n'
-    return f"{head}{_imports(module.name, body, homes, {*found.classes, *found.words})}{body}\n"
+    imports = _imports(f"generated/{module.name}", body, homes, {*found.classes, *found.words})
+    return f"{head}{imports}{body}\n"
 
 
 def _class(one: Class) -> str:
@@ -153,20 +154,22 @@ def _imports(module: str, body: str, homes: dict[str, str], own: set[str]) -> st
     used = {name: homes[name] for name in re.findall(r"\b[A-Za-z]\w*\b", code) if name in homes and name not in own}
     plain = sorted(home for home in used.values() if home.startswith("import "))
     modules = {home: sorted((n for n in used if used[n] == home), key=_order) for home in used.values() if home not in plain}
-    depth = module.count("/")
-    relative = {}
-    for home in [home for home in modules if home not in NAMES.values() or home.startswith(".")]:
-        if home.startswith("."):
-            relative["." * (2 + depth) + home.lstrip(".")] = modules.pop(home)
-        else:
-            up = 0 if depth and home.startswith(module.rpartition("/")[0] + "/") else depth
-            relative["." * (1 + up) + (home if up or not depth else home.rpartition("/")[2]).replace("/", ".")] = modules.pop(home)
+    relative = {
+        _relative(home, module): modules.pop(home) for home in [*modules] if home not in NAMES.values() or home.startswith("../")
+    }
     blocks = [
         [_listing(f"from {home} import ", names, "") for home, names in sorted(modules.items())],
         plain,
         [_import(home, relative[home]) for home in sorted(relative, key=lambda home: (-_dots(home), home))],
     ]
     return "\n".join("\n".join(block) + "\n" for block in blocks if block)
+
+
+def _relative(home: str, module: str) -> str:
+    """Returns how a module names another one. Both are paths below `values`."""
+    path = os.path.relpath(home, os.path.dirname(module))
+    up = path.count("../")
+    return "." * (1 + up) + path[3 * up :].replace("/", ".")
 
 
 def _import(home: str, names: list[str]) -> str:

@@ -1,4 +1,4 @@
-"""Modules of client/python/contactd/values and their parts of the schemas. A module follows those that it uses."""
+"""Modules of client/python/contactd/values/generated and their parts of the schemas. A module follows those that it uses."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ ROOT = Path(__file__).parents[2]
 LIST = Path(__file__).with_name("arrows.txt")
 TARGETS = ("core", "cases", "proto", "engine", "client/c", "client/cpp", "client/cntc", "client/fmu", "client/python/local", "server")
 #: Where #include "..." is looked for, beside the folder of the file itself.
-PLACES = ("core/include", "core/src", "core/fem", "core", "cases/include", "cases", "", "proto/include", "proto/src", "client/c/include", "client/c/src", "client/cpp/include", "client/cpp/src", "client/cntc/include", "client/cntc/src", "client/fmu", "server/src", "server/contactd_ic")  # fmt: skip
+PLACES = ("core/include", "core/types/generated/include", "core/src", "core/fem", "core", "cases/include", "cases", "", "proto/include", "proto/src", "client/c/include", "client/c/src", "client/cpp/include", "client/cpp/src", "client/cntc/include", "client/cntc/src", "client/fmu", "server/src", "server/contactd_ic")  # fmt: skip
 PUBLIC = ("core/include/contactd/", "cases/include/contactd/")
 
 
@@ -64,13 +64,9 @@ class Arrows:
 
 def source_of(header: str) -> str:
     """The source with the name of a public header; "" when there is none."""
-    name, of_fields = Path(header).with_suffix(".cpp").name, Path(header).parent.name == "fields"
-    found = [
-        path
-        for folder in ("core/types", "core/profile_files", "core/src", "core/fem", "cases")
-        for path in (ROOT / folder).rglob(name)
-        if (path.parent.name == "fields") == of_fields
-    ]
+    name = Path(header).with_suffix(".cpp").name
+    folders = ("core/types", "core/profile_files", "core/src", "core/fem", "cases")
+    found = [path for folder in folders for path in (ROOT / folder).rglob(name) if path.parent.name != "generated"]
     return found[0].relative_to(ROOT).as_posix() if len(found) == 1 else ""
 
 

@@ -181,7 +181,7 @@ def test_every_module_and_header_is_on_one_page_of_the_reference(part):
 
 
 def test_a_page_of_the_reference_has_what_its_last_line_names(part):
-    source = ["# Grids\n\n<!-- modules: values.grid -->\n"]
+    source = ["# Grids\n\n<!-- modules: values.generated.grid -->\n"]
     part("reference").write(None, "docs/reference/python/grids", source)
     assert ".. autoclass:: Grid\n" in source[0]
     assert "<!--" not in source[0]

@@ -23,7 +23,7 @@ from contactd import (
     SimplifiedSettings,
 )
 from contactd.values.contact_params import problem_params
-from contactd.values.evidence import Model
+from contactd.values.generated.evidence import Model
 from contactd.values.wheel_rail.comparison import combinations
 from contactd.wheel_rail import WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
 

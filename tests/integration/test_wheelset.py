@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from contactd import Client, Friction, Material, Paraboloid, Rolling
-from contactd.values.grid import Grid
+from contactd.values.generated.grid import Grid
 from contactd.wheel_rail import ArcProfile, ConeProfile, Track, WheelRailFriction, WheelRailSetup
 from support.wheelset import EXAMPLE, wheelset
 

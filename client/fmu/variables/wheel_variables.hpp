@@ -2,7 +2,7 @@
 #pragma once
 
 #include "common_variables.hpp"
-#include "wheel_fields.hpp"
+#include "generated/wheel_fields.hpp"
 
 namespace contactd::fmu {
 

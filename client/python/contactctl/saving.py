@@ -10,7 +10,7 @@ from typing import Any, get_args
 import click
 
 from contactd import ContactSolution, MissingExtra, PartialSolution
-from contactd.values.result import Field
+from contactd.values.generated.result import Field
 from contactd.wheel_rail import WheelRailSolution
 
 from .files import writable, write_text

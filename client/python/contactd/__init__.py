@@ -61,7 +61,8 @@ from .materials import steel
 from .operators import operator
 from .values.creep_curves import CreepCurve
 from .values.dictionaries import from_dict, to_dict
-from .values.evidence import (
+from .values.fit import Fit, FittedCurve, FittedParameter
+from .values.generated.evidence import (
     IcEvidence,
     SectionEvidence,
     SimplifiedSettings,
@@ -70,29 +71,24 @@ from .values.evidence import (
     SolverSettings,
     TangentialSettings,
 )
-from .values.fatigue import DamageFunction, FatigueRequest, FatigueStrength, Passage
-from .values.fem_ics import FemIcs
-from .values.fit import Fit, FittedCurve, FittedParameter
-from .values.friction import Friction, InterfacialLayer
-from .values.grid import Grid, HalfEllipses, Paraboloid, SemiAxes
-from .values.ics import AnalyticIcs, LineContact
-from .values.materials import Layer, LayeredBody, Material, RigidBody, ViscoelasticBody
-from .values.motion import FrictionMemory, KineticFriction, Rolling, SecondTerm, Shift, TemperatureFriction
-from .values.partial_solution import PartialSolution, SavedState, StepSolution
-from .values.problem import ContactColumns, ContactProblem, Estimate
-from .values.profile_shapes import ProfileFile
-from .values.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
-from .values.regions import ContactRegions, RegionLimits
-from .values.registry import register
-from .values.result import ContactFatigue, ContactTemperature, ContactWear, RollingResistance
-from .values.service import Job, Limits, Progress, ServerInfo, SessionSummary
-from .values.solution import ContactSolution
-from .values.step_input import StepInput
-from .values.subsurface import LargestStress, StressBlock, SubsurfaceStress
-from .values.tables import IcTable, TableIcs, combined_modulus
-from .values.temperature import SurfaceTemperatures
-from .values.thermal import ThermalBodies, ThermalBody
-from .values.wear_laws import (
+from .values.generated.fatigue import DamageFunction, FatigueRequest, FatigueStrength, Passage
+from .values.generated.fem_ics import FemIcs
+from .values.generated.friction import Friction, InterfacialLayer
+from .values.generated.grid import Grid, HalfEllipses, Paraboloid, SemiAxes
+from .values.generated.ics import AnalyticIcs, LineContact
+from .values.generated.materials import Layer, LayeredBody, Material, RigidBody, ViscoelasticBody
+from .values.generated.motion import FrictionMemory, KineticFriction, Rolling, SecondTerm, Shift, TemperatureFriction
+from .values.generated.problem import ContactColumns, ContactProblem, Estimate
+from .values.generated.profile_shapes import ProfileFile
+from .values.generated.records import ImportedIc, QuarantinedIc, RecentPatch, RecentSolve, StoredIc
+from .values.generated.regions import ContactRegions, RegionLimits
+from .values.generated.result import ContactFatigue, ContactTemperature, ContactWear, RollingResistance
+from .values.generated.service import Job, Limits, Progress, ServerInfo, SessionSummary
+from .values.generated.step_input import StepInput
+from .values.generated.subsurface import LargestStress, StressBlock, SubsurfaceStress
+from .values.generated.temperature import SurfaceTemperatures
+from .values.generated.thermal import ThermalBodies, ThermalBody
+from .values.generated.wear_laws import (
     ArchardWear,
     BrWear,
     EnergyWear,
@@ -103,10 +99,14 @@ from .values.wear_laws import (
     WearRequest,
     ZoboryWear,
 )
+from .values.generated.wheel_rail.step_input import WheelRailStepInput
+from .values.partial_solution import PartialSolution, SavedState, StepSolution
+from .values.registry import register
+from .values.solution import ContactSolution
+from .values.tables import IcTable, TableIcs, combined_modulus
 from .values.wheel_rail.comparison import ComparedModel, ModelComparison, ModelErrors
 from .values.wheel_rail.passage_wear import PassageWear
 from .values.wheel_rail.solution import WheelRailStepSolution
-from .values.wheel_rail.step_input import WheelRailStepInput
 
 if TYPE_CHECKING:
     from .aio import AsyncClient, AsyncSession, AsyncWheelRailSession

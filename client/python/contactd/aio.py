@@ -27,18 +27,18 @@ from .errors import ConnectionFailed, ContactdError, StatusError
 from .refusals import public
 from .transport.event_loop import Exchanges
 from .transport.messages import Reply, Request
+from .values.generated.problem import ContactProblem
+from .values.generated.records import StoredIc
+from .values.generated.step_input import StepInput
+from .values.generated.wheel_rail.step_input import WheelRailStepInput
 from .values.partial_solution import PartialSolution, StepSolution
-from .values.problem import ContactProblem
-from .values.records import StoredIc
 from .values.solution import ContactSolution, Fields
-from .values.step_input import StepInput
 from .values.wheel_rail.solution import WheelRailStepSolution
-from .values.wheel_rail.step_input import WheelRailStepInput
 
 if TYPE_CHECKING:
     from typing_extensions import Self, Unpack
 
-    from .values.problem import ProblemFields
+    from .values.generated.problem import ProblemFields
 
 __all__ = ["AsyncClient", "AsyncSession", "AsyncWheelRailSession"]
 

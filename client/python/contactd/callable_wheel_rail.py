@@ -8,11 +8,11 @@ from types import ModuleType
 from .calls.caller import ProgressCallback
 from .refusals import public
 from .transport.shared_client import shared_client
+from .values.generated.wear_laws import WearRequest
+from .values.generated.wheel_rail.setup import WheelRailSetup
 from .values.solution import Fields
 from .values.stated_wear import StatedLaw, wear_request
-from .values.wear_laws import WearRequest
 from .values.wheel_rail.rolling_state import pure_rolling
-from .values.wheel_rail.setup import WheelRailSetup
 from .values.wheel_rail.solution import WheelRailSolution
 
 __all__ = ["WheelRailModule"]

@@ -11,14 +11,14 @@ from .calls.stated_problems import Body, Gap
 from .refusals import public
 from .transport.shared_client import shared_client
 from .values.creep_curves import CreepCurve
+from .values.generated.problem import ContactProblem
 from .values.partial_solution import PartialSolution
-from .values.problem import ContactProblem
 from .values.solution import ContactSolution, Fields
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from .values.problem import ProblemFields
+    from .values.generated.problem import ProblemFields
 
 __all__ = ["creep_curve", "solve"]
 

@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from types import MappingProxyType
 
-from .values.materials import Material
+from .values.generated.materials import Material
 
 __all__ = ["SOURCES", "aluminium", "glass", "steel", "structural_steel"]
 

@@ -9,10 +9,10 @@ import numpy as np
 from .errors import MissingExtra, invalid
 from .refusals import public
 from .transport.shared_client import shared_client
-from .values.fem_ics import FemIcs
-from .values.grid import Grid
-from .values.ics import AnalyticIcs
-from .values.materials import LayeredBody, Material
+from .values.generated.fem_ics import FemIcs
+from .values.generated.grid import Grid
+from .values.generated.ics import AnalyticIcs
+from .values.generated.materials import LayeredBody, Material
 from .values.products import displacements_by, transposed
 from .values.tables import IcTable
 

@@ -29,7 +29,7 @@ from __future__ import annotations
 import sys
 
 from .callable_wheel_rail import WheelRailModule
-from .values.profile_shapes import (
+from .values.generated.profile_shapes import (
     S1002,
     ArcProfile,
     ConeProfile,
@@ -39,14 +39,14 @@ from .values.profile_shapes import (
     ProfilePoints,
     Rail60E1,
 )
-from .values.wheel_rail.forces import (
+from .values.generated.wheel_rail.forces import (
     WheelRailDerivatives,
     WheelRailForces,
     Wrench,
     WrenchesByPosition,
     WrenchesByVelocity,
 )
-from .values.wheel_rail.places import (
+from .values.generated.wheel_rail.places import (
     ContactPlace,
     ContactRadii,
     ContactReference,
@@ -56,7 +56,7 @@ from .values.wheel_rail.places import (
     RailPlace,
     WheelRailGeometry,
 )
-from .values.wheel_rail.rigid_wheelset import (
+from .values.generated.wheel_rail.rigid_wheelset import (
     EquivalentConicity,
     PlacedProfiles,
     ProfileEvidence,
@@ -69,7 +69,7 @@ from .values.wheel_rail.rigid_wheelset import (
     WheelsetContacts,
     WheelsetRoll,
 )
-from .values.wheel_rail.setup import (
+from .values.generated.wheel_rail.setup import (
     Conformal,
     PatchRules,
     RailSprings,
@@ -82,8 +82,7 @@ from .values.wheel_rail.setup import (
     Wheelset,
     WheelSurface,
 )
-from .values.wheel_rail.solution import RailDeflection, WheelRailPatch, WheelRailSolution, WheelsetSolution
-from .values.wheel_rail.state import (
+from .values.generated.wheel_rail.state import (
     RailDeviation,
     WheelDeviation,
     WheelRailState,
@@ -91,6 +90,7 @@ from .values.wheel_rail.state import (
     WheelsetState,
     WheelsetVelocity,
 )
+from .values.wheel_rail.solution import RailDeflection, WheelRailPatch, WheelRailSolution, WheelsetSolution
 
 __all__ = [
     "S1002",

@@ -7,9 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .errors import MissingExtra
-from .values.grid import Grid
+from .values.generated.grid import Grid
+from .values.generated.subsurface import SubsurfaceStress
 from .values.solution import Solution
-from .values.subsurface import SubsurfaceStress
 from .values.subsurface_methods import INVARIANTS
 from .values.tables import IcTable
 

@@ -10,7 +10,8 @@ import pytest
 from support.c_interface import LIBRARY
 from support.c_programs import ROOT, STRICT, run
 
-HEADER = ROOT / "client" / "c" / "include" / "contactd" / "paths.h"
+INCLUDE = ROOT / "client" / "c" / "generated" / "include"
+HEADER = INCLUDE / "contactd" / "paths.h"
 CONSTANTS = dict(re.findall(r'#define (CONTACTD_\w+)(?: \\\n +)? *"([^"]+)"', HEADER.read_text()))
 PATHS = {path for name, path in CONSTANTS.items() if name.startswith("CONTACTD_PATH_")}
 
@@ -69,6 +70,6 @@ def test_a_program_finds_a_patch_by_the_number_that_it_prints(tmp_path):
         "#include <contactd/paths.h>\n#include <stdio.h>\n"
         "int main(void) { return printf(CONTACTD_PATH_PATCHES_SOLUTION_PMAX, 3) < 0; }\n"
     )
-    made = run("cc", *STRICT, f"-I{ROOT / 'client' / 'c' / 'include'}", source, "-o", tmp_path / "paths")
+    made = run("cc", *STRICT, f"-I{INCLUDE}", source, "-o", tmp_path / "paths")
     assert made.returncode == 0, made.stderr
     assert run(tmp_path / "paths").stdout == "patches[3].solution.pmax"

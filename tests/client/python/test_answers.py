@@ -34,8 +34,8 @@ from contactd import (
     Violation,
 )
 from contactd.values.answers import read
-from contactd.values.evidence import Discretisation, IcEvidence, SolverEvidence
-from contactd.values.service import ServerInfo
+from contactd.values.generated.evidence import Discretisation, IcEvidence, SolverEvidence
+from contactd.values.generated.service import ServerInfo
 from contactd.values.solution import ContactSolution, Derivatives, DerivativesOfAnswer
 from contactd.values.tables import IcSpec
 from support import answers

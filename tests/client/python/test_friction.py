@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from contactd import Friction, KineticFriction, Rolling, Shift
-from contactd.values.evidence import Model
-from contactd.values.problem import ContactProblem
+from contactd.values.generated.evidence import Model
+from contactd.values.generated.problem import ContactProblem
 
 FOLDER = Path(__file__).parents[3] / "proto" / "schema"
 PROBLEM = json.loads((FOLDER / "contact.solve.params.json").read_text())["properties"]

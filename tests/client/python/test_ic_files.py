@@ -27,7 +27,7 @@ from contactd import (
     save_table,
 )
 from contactd.values.contact_params import problem_params, table_params
-from contactd.values.evidence import ComponentError, IcErrors, LoadCase
+from contactd.values.generated.evidence import ComponentError, IcErrors, LoadCase
 from support.tables import DX, DY, NX, NY, ic_table, made_up
 
 PAIR = TableIcs(made_up(), DX, DY, 320)

@@ -9,8 +9,8 @@ import pytest
 
 from contactd import Client, ContactProblem
 from contactd.client import ClientOptions
-from contactd.values.problem import ProblemFields
-from contactd.values.wheel_rail.setup import WheelRailFields
+from contactd.values.generated.problem import ProblemFields
+from contactd.values.generated.wheel_rail.setup import WheelRailFields
 from contactd.wheel_rail import WheelRailSetup
 
 ROOT = Path(__file__).parents[3]

@@ -11,11 +11,11 @@ from rich.console import RenderableType
 from contactd import Client, StatusError
 from contactd.calls.answer_warnings import collected
 from contactd.values.answers import read
+from contactd.values.generated.wheel_rail.rigid_wheelset import PlacedProfiles
+from contactd.values.generated.wheel_rail.setup import Side as WheelSide
+from contactd.values.generated.wheel_rail.state import RailDeviation, WheelsetPosition
 from contactd.values.wheel_rail.origins import RADIUS, Origin, remember
-from contactd.values.wheel_rail.rigid_wheelset import PlacedProfiles
-from contactd.values.wheel_rail.setup import Side as WheelSide
 from contactd.values.wheel_rail.solution import WheelRailSolution, read_wheel_rail
-from contactd.values.wheel_rail.state import RailDeviation, WheelsetPosition
 
 from ..asking import ask
 from ..codes import Code, Ended

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from contactd import Job, RecentSolve, ServerInfo
-from contactd.values.service import SessionSummary
+from contactd.values.generated.service import SessionSummary
 
 __all__ = ["AWAY", "CONNECTING", "Sample", "View"]
 

@@ -14,8 +14,8 @@ from ..transport.curve import load_curve_keys
 from ..transport.frames import Frames, decode, encode
 from ..transport.messages import CLIENT, PROTOCOL_VERSION, Reply, Request
 from ..values.answers import read
+from ..values.generated.service import Limits, Progress, ServerInfo
 from ..values.representation import Rows, Shown
-from ..values.service import Limits, Progress, ServerInfo
 from .answer_warnings import sentences_in
 from .call import Answering, Noted, asks
 from .progress_bar import progress_shown

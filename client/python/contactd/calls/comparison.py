@@ -13,15 +13,15 @@ from ..errors import Cancelled, DeadlineExceeded, InternalError, StatusError, Un
 from ..refusals import check_type
 from ..values.answers import read
 from ..values.contact_params import problem_params
-from ..values.grid import Grid
+from ..values.generated.grid import Grid
+from ..values.generated.problem import ContactProblem
+from ..values.generated.service import Progress
+from ..values.generated.wheel_rail.setup import WheelRailSetup
+from ..values.generated.wheel_rail.state import WheelRailState
 from ..values.partial_solution import read_solution
-from ..values.problem import ContactProblem
-from ..values.service import Progress
 from ..values.wheel_rail.comparison import ComparedModel, ModelComparison, combinations, errors_of, model_names
 from ..values.wheel_rail.params import setup_params, state_params
-from ..values.wheel_rail.setup import WheelRailSetup
 from ..values.wheel_rail.solution import read_wheel_rail
-from ..values.wheel_rail.state import WheelRailState
 from .call import Answering, Noted, asks
 from .caller import Caller, ProgressCallback
 from .progress_bar import progress_shown

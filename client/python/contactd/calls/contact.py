@@ -14,20 +14,20 @@ from ..refusals import check_type
 from ..transport.messages import results
 from ..values.answers import read
 from ..values.contact_params import problem_params, shear_modulus_of, subsurface_params
+from ..values.generated.problem import ContactProblem, Estimate
+from ..values.generated.subsurface import StressBlock, SubsurfaceStress
+from ..values.generated.temperature import SurfaceTemperatures
+from ..values.generated.thermal import ThermalBodies
 from ..values.partial_solution import PartialSolution, read_solution
-from ..values.problem import ContactProblem, Estimate
 from ..values.solution import ContactSolution, Fields, names_of
-from ..values.subsurface import StressBlock, SubsurfaceStress
 from ..values.subsurface_methods import INVARIANTS
-from ..values.temperature import SurfaceTemperatures
 from ..values.temperature_params import temperature_params
-from ..values.thermal import ThermalBodies
 from .call import Answering, asks
 from .caller import Caller, ProgressCallback, check_shapes
 from .stated_problems import Body, Gap, on_chosen_grid, stated_problem
 
 if TYPE_CHECKING:
-    from ..values.problem import ProblemFields
+    from ..values.generated.problem import ProblemFields
 
 __all__ = ["ContactCalls", "solved", "solved_many"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from ..values.answers import read
-from ..values.contact_files import ContactCase, ContactFile, ContactSlices
+from ..values.generated.contact_files import ContactCase, ContactFile, ContactSlices
 from .call import Answering, asks
 from .caller import Caller
 

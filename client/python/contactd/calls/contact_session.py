@@ -10,17 +10,17 @@ import numpy.typing as npt
 
 from ..errors import ProtocolError
 from ..values.answers import read
-from ..values.evidence import IcUse
-from ..values.friction import Friction
 from ..values.friction_methods import Force
-from ..values.grid import Grid, HalfEllipses, Paraboloid, SemiAxes
-from ..values.motion import Rolling, RollingKind
+from ..values.generated.evidence import IcUse
+from ..values.generated.friction import Friction
+from ..values.generated.grid import Grid, HalfEllipses, Paraboloid, SemiAxes
+from ..values.generated.motion import Rolling, RollingKind
+from ..values.generated.problem import ContactProblem
+from ..values.generated.step_input import StepInput
 from ..values.params import fields_of, names_of_fields
 from ..values.partial_solution import StepSolution, check_arrays, on_grid
-from ..values.problem import ContactProblem
 from ..values.representation import Rows
 from ..values.solution import Fields
-from ..values.step_input import StepInput
 from .any_session import AnySession, ProgressCallback, SessionThatWaits, reported_number
 from .call import Answering, asks
 from .steps import Steps

@@ -17,10 +17,10 @@ from ..transport.messages import results
 from ..values.arrays import array_of
 from ..values.contact_params import problem_params
 from ..values.creep_curves import CreepCurve
-from ..values.friction import Friction
-from ..values.motion import Rolling
+from ..values.generated.friction import Friction
+from ..values.generated.motion import Rolling
+from ..values.generated.problem import ContactProblem
 from ..values.partial_solution import read_solution
-from ..values.problem import ContactProblem
 from .call import Answering, Noted, asks
 from .caller import Caller, ProgressCallback
 from .stated_problems import Body, Gap, on_chosen_grid, stated_problem, without_warnings
@@ -28,7 +28,7 @@ from .stated_problems import Body, Gap, on_chosen_grid, stated_problem, without_
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from ..values.problem import ProblemFields
+    from ..values.generated.problem import ProblemFields
 
 __all__ = ["CreepCurveCalls"]
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from ..errors import MissingExtra
-from ..values.service import Progress
+from ..values.generated.service import Progress
 
 __all__ = ["progress_shown"]
 

@@ -7,8 +7,8 @@ from typing import Any
 
 from ..errors import ProtocolError
 from ..values.answers import read
-from ..values.records import RecentPatch, RecentSolve
-from ..values.service import Job, Progress, ServerInfo
+from ..values.generated.records import RecentPatch, RecentSolve
+from ..values.generated.service import Job, Progress, ServerInfo
 from .call import Answering, asks
 from .caller import Caller, check_shapes
 

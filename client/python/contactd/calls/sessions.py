@@ -9,13 +9,13 @@ from ..errors import ProtocolError, invalid
 from ..refusals import check_type
 from ..values.answers import read
 from ..values.contact_params import opening_params
-from ..values.friction import Friction
-from ..values.grid import Grid
-from ..values.problem import ContactProblem, ProblemFields
+from ..values.generated.friction import Friction
+from ..values.generated.grid import Grid
+from ..values.generated.problem import ContactProblem, ProblemFields
+from ..values.generated.service import SessionSummary
+from ..values.generated.wheel_rail.setup import Side, WheelRailSetup
 from ..values.problem_methods import check_field_types
-from ..values.service import SessionSummary
 from ..values.wheel_rail.params import setup_params
-from ..values.wheel_rail.setup import Side, WheelRailSetup
 from .call import Answering, asks
 from .caller import Caller, ProgressCallback
 from .timeouts import wheel_may_build

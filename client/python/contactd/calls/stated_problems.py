@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy.typing as npt
 
 from ..refusals import check_type
-from ..values.grid import Grid, HalfEllipses, Paraboloid, SemiAxes
+from ..values.generated.grid import Grid, HalfEllipses, Paraboloid, SemiAxes
+from ..values.generated.materials import LayeredBody, Material, RigidBody, ViscoelasticBody
+from ..values.generated.problem import ContactProblem
 from ..values.hertz_grid import corrected_grid, grid_of
-from ..values.materials import LayeredBody, Material, RigidBody, ViscoelasticBody
-from ..values.problem import ContactProblem
 from ..values.problem_methods import check_field_types
 from ..values.solution import Solution
 from .call import Answering, Noted
 
 if TYPE_CHECKING:
-    from ..values.problem import ProblemFields
+    from ..values.generated.problem import ProblemFields
 
 __all__ = ["Body", "Gap", "Stated", "on_chosen_grid", "stated_problem", "without_warnings"]
 

@@ -11,12 +11,12 @@ from ..errors import InvalidArgument, ProtocolError
 from ..values.answers import read
 from ..values.arrays import Array
 from ..values.contact_params import table_params, table_shape
-from ..values.grid import Grid
-from ..values.ics import Ics
-from ..values.materials import LayeredBody, Material
+from ..values.generated.grid import Grid
+from ..values.generated.ics import Ics
+from ..values.generated.materials import LayeredBody, Material
+from ..values.generated.records import ImportedIc, QuarantinedIc, StoredIc
+from ..values.generated.service import Limits
 from ..values.params import params_of
-from ..values.records import ImportedIc, QuarantinedIc, StoredIc
-from ..values.service import Limits
 from ..values.tables import IcTable
 from .call import Answering, asks
 from .caller import Caller, ProgressCallback, check_shapes

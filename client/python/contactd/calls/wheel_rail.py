@@ -9,21 +9,21 @@ from typing import Any
 from ..errors import ContactdError, ProtocolError
 from ..transport.shared_client import shared_client
 from ..values.answers import read
-from ..values.solution import Fields, names_of
-from ..values.wheel_rail.origins import Origin, remember
-from ..values.wheel_rail.params import setup_params, state_params, wheelset_state_params
-from ..values.wheel_rail.places import WheelRailGeometry
-from ..values.wheel_rail.rigid_wheelset import (
+from ..values.generated.wheel_rail.places import WheelRailGeometry
+from ..values.generated.wheel_rail.rigid_wheelset import (
     EquivalentConicity,
     PlacedProfiles,
     ProfilesOfSides,
     WheelsetContacts,
     WheelsetRoll,
 )
-from ..values.wheel_rail.setup import WheelRailSetup
+from ..values.generated.wheel_rail.setup import WheelRailSetup
+from ..values.generated.wheel_rail.state import WheelRailState, WheelsetState
+from ..values.solution import Fields, names_of
+from ..values.wheel_rail.origins import Origin, remember
+from ..values.wheel_rail.params import setup_params, state_params, wheelset_state_params
 from ..values.wheel_rail.solution import WheelRailSolution, WheelsetSolution, read_wheel_rail, read_wheelset
 from ..values.wheel_rail.solved_states import remember_state
-from ..values.wheel_rail.state import WheelRailState, WheelsetState
 from .call import Answering, Waits, asks
 from .caller import Caller, ProgressCallback
 

@@ -6,14 +6,14 @@ from typing import TYPE_CHECKING, Any
 
 from ..errors import ProtocolError
 from ..refusals import check_type
+from ..values.generated.wheel_rail.setup import Side, WheelRailFriction
+from ..values.generated.wheel_rail.state import WheelRailState
+from ..values.generated.wheel_rail.step_input import WheelRailStepInput
 from ..values.params import params_of
 from ..values.representation import Rows
 from ..values.solution import Fields
 from ..values.wheel_rail.params import state_params
-from ..values.wheel_rail.setup import Side, WheelRailFriction
 from ..values.wheel_rail.solution import WheelRailStepSolution, read_wheel_rail_as, read_wheel_rail_without_patches
-from ..values.wheel_rail.state import WheelRailState
-from ..values.wheel_rail.step_input import WheelRailStepInput
 from .any_session import AnySession, ProgressCallback, SessionThatWaits, reported_number
 from .call import Answering, asks
 from .steps import Steps

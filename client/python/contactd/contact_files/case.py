@@ -1,6 +1,6 @@
 """A case of an input file."""
 
-from ..values.contact_files import ContactCase as Case
-from ..values.contact_files import ContactFile
+from ..values.generated.contact_files import ContactCase as Case
+from ..values.generated.contact_files import ContactFile
 
 __all__ = ["Case", "ContactFile"]

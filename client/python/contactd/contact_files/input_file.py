@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 
 from ..files.case_text import text_of
-from ..values.contact_files import ContactFile
+from ..values.generated.contact_files import ContactFile
 from .asked_client import AskedClient
 
 __all__ = ["read"]

@@ -19,16 +19,16 @@ from ..files.case_text import text_of
 from ..files.profile_text import read_profile_text
 from ..files.reach import check_within
 from ..files.whole import digest_of
-from ..values.profile_shapes import KinkRule, Profile, ProfileFile
+from ..values.generated.profile_shapes import KinkRule, Profile, ProfileFile
+from ..values.generated.wheel_rail.setup import Track, WheelRailSetup
 from ..values.tables import TableIcs
-from ..values.wheel_rail.setup import Track, WheelRailSetup
 from .case import Case
 from .problems.rails import Slices
 from .slice_list import SPLINES, placed_slices
 
 if TYPE_CHECKING:
     from ..values.arrays import Array
-    from ..values.wheel_rail.rigid_wheelset import ProfileEvidence
+    from ..values.generated.wheel_rail.rigid_wheelset import ProfileEvidence
     from .asked_client import AskedClient
 
 __all__ = ["ProfileFiles"]

@@ -16,11 +16,11 @@ from ..calls.answer_warnings import collected, give
 from ..errors import InvalidArgument, StatusError, TableFileError, TimeoutExpired, invalid
 from ..refusals import public
 from ..transport.shared_client import shared_client
-from ..values.problem import ContactProblem, Estimate
-from ..values.result import Field
-from ..values.subsurface import StressBlock, SubsurfaceStress
+from ..values.generated.problem import ContactProblem, Estimate
+from ..values.generated.result import Field
+from ..values.generated.subsurface import StressBlock, SubsurfaceStress
+from ..values.generated.wheel_rail.setup import WheelSurface
 from ..values.wheel_rail.params import setup_params
-from ..values.wheel_rail.setup import WheelSurface
 from .answers.basic_results import BasicResult
 from .answers.rail_results import RailResult
 from .answers.subsurface import Body, Stresses

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..files.case_text import text_of
-from ..values.contact_files import ContactSlices
-from ..values.profile_shapes import Profile, ProfileFile
+from ..values.generated.contact_files import ContactSlices
+from ..values.generated.profile_shapes import Profile, ProfileFile
 
 if TYPE_CHECKING:
     from .asked_client import AskedClient

@@ -10,10 +10,10 @@ from typing import Any, overload
 from ..errors import invalid
 from ..files.case_text import text_of
 from ..refusals import public
+from ..values.generated.wheel_rail.forces import WheelRailForces
+from ..values.generated.wheel_rail.result import WheelRailSolution
 from ..values.representation import Rows, Shown
 from ..values.solution import ContactSolution, Forces, Solution
-from ..values.wheel_rail.forces import WheelRailForces
-from ..values.wheel_rail.result import WheelRailSolution
 from .case import Case
 from .comparison import case_differences, matched
 from .out_reader import printed_cases

@@ -17,9 +17,9 @@ from pathlib import Path
 from .._version import __version__
 from ..errors import ContactdError
 from ..local import local
-from ..values.friction import Friction
-from ..values.grid import Grid, Paraboloid
-from ..values.materials import Material
+from ..values.generated.friction import Friction
+from ..values.generated.grid import Grid, Paraboloid
+from ..values.generated.materials import Material
 from .closed_form import Sphere
 
 __all__ = ["main"]

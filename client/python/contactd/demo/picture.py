@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..pictures.canvas import ADHESION, INK, edges, extent, pyplot, warm
-from ..values.grid import Grid
+from ..values.generated.grid import Grid
 from ..values.solution import ContactSolution
 from .closed_form import Sphere
 

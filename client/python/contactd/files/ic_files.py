@@ -11,11 +11,11 @@ from typing import Any, TypeVar
 import numpy as np
 
 from ..errors import TableFileError
-from ..values.evidence import ComponentError, IcErrors, IcEvidence, LoadCase, SectionEvidence
-from ..values.fem_ics import FemIcs
-from ..values.grid import Grid
-from ..values.ics import AnalyticIcs
-from ..values.materials import Layer, LayeredBody, Material, RigidBody
+from ..values.generated.evidence import ComponentError, IcErrors, IcEvidence, LoadCase, SectionEvidence
+from ..values.generated.fem_ics import FemIcs
+from ..values.generated.grid import Grid
+from ..values.generated.ics import AnalyticIcs
+from ..values.generated.materials import Layer, LayeredBody, Material, RigidBody
 from ..values.tables import IcSpec, IcTable
 from .hdf5 import need_h5py
 from .ic_contents import FileContents, contents_of

@@ -23,7 +23,7 @@ from ..errors import ProtocolError, TableFileError
 from ..refusals import public
 from ..values.answers import read
 from ..values.contact_params import table_params
-from ..values.evidence import IcEvidence
+from ..values.generated.evidence import IcEvidence
 from ..values.tables import IcSpec, IcTable, TableIcs, check_finite
 from .whole import MOST_BYTES, arrays_of, read_whole, write_whole
 

@@ -17,8 +17,8 @@ from ..refusals import check_type, public
 from ..values.arrays import Array
 from ..values.contact_params import problem_params
 from ..values.fit import Fit, FittedCurve, FittedParameter
-from ..values.problem import ContactProblem
-from ..values.service import Progress
+from ..values.generated.problem import ContactProblem
+from ..values.generated.service import Progress
 from .creep_curves import CreepCurves, Response
 from .measured_curve import MeasuredCurve
 from .parameter import VariedParameter, varied

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..errors import MissingExtra
 from ..values.arrays import Array
-from ..values.grid import Grid
+from ..values.generated.grid import Grid
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..values.grid import Grid
+from ..values.generated.grid import Grid
 from ..values.wheel_rail.comparison import ComparedModel, ModelComparison
 from ..values.wheel_rail.solution import WheelRailSolution
 from .canvas import ADHESION, COLOURS, INK, bare, edges, extent, new_figure, warm

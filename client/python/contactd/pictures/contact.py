@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ..values.grid import Grid
+from ..values.generated.grid import Grid
 from ..values.solution import Solution
 from .canvas import ADHESION, COLOURS, INK, axes_or_new, bare, edges, legend_below, map_over
 

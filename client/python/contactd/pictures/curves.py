@@ -11,7 +11,7 @@ import numpy.typing as npt
 from ..refusals import public
 from ..values.arrays import Array
 from ..values.creep_curves import CreepCurve
-from ..values.motion import Rolling
+from ..values.generated.motion import Rolling
 from ..values.solution import Solution
 from .canvas import COLOURS, axes_or_new, bare
 

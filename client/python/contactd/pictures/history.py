@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..values.service import Progress
+from ..values.generated.service import Progress
 from .canvas import COLOURS, axes_or_new, bare
 
 if TYPE_CHECKING:

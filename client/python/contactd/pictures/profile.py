@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from ..errors import invalid
 from ..values.arrays import Array
-from ..values.wheel_rail.rigid_wheelset import ProfileEvidence
+from ..values.generated.wheel_rail.rigid_wheelset import ProfileEvidence
 from .canvas import COLOURS, INK, bare
 
 __all__ = ["curvature_of", "draw_curvature", "draw_profile"]

@@ -9,10 +9,15 @@ import numpy as np
 
 from ..errors import invalid
 from ..values.arrays import Array
-from ..values.wheel_rail.rigid_wheelset import EquivalentConicity, PlacedProfiles, ProfilesOfSides, WheelsetContacts
-from ..values.wheel_rail.setup import Side
+from ..values.generated.wheel_rail.rigid_wheelset import (
+    EquivalentConicity,
+    PlacedProfiles,
+    ProfilesOfSides,
+    WheelsetContacts,
+)
+from ..values.generated.wheel_rail.setup import Side
+from ..values.generated.wheel_rail.state import RailDeviation, WheelRailState, WheelsetPosition
 from ..values.wheel_rail.solution import WheelRailPatch, WheelRailSolution
-from ..values.wheel_rail.state import RailDeviation, WheelRailState, WheelsetPosition
 
 __all__ = ["draw_body", "draw_conicity", "draw_contact_locus", "draw_patches", "placed_rail", "placed_wheel"]
 

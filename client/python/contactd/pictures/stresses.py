@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from ..values.subsurface import SubsurfaceStress
+from ..values.generated.subsurface import SubsurfaceStress
 from ..values.subsurface_methods import Component
 from .canvas import INK, aspect_of, axes_or_new, bare, colour_bar, warm
 

@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..values.generated.wheel_rail.state import WheelsetPosition
 from ..values.wheel_rail.origins import origin_of
 from ..values.wheel_rail.solution import WheelRailPatch, WheelRailSolution
-from ..values.wheel_rail.state import WheelsetPosition
 from .canvas import COLOURS, INK, bare, legend_below, map_over, new_figure
 from .contact import draw_contact
 from .profiles import draw_body, placed_rail, placed_wheel

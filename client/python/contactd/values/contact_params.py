@@ -13,15 +13,15 @@ import numpy.typing as npt
 from ..errors import invalid
 from ..refusals import check_either, check_type
 from .arrays import array_of
-from .fem_ics import FemIcs
-from .grid import Grid
-from .ics import AnalyticIcs, Ics
-from .materials import LayeredBody, Material, RigidBody, ViscoelasticBody
+from .generated.fem_ics import FemIcs
+from .generated.grid import Grid
+from .generated.ics import AnalyticIcs, Ics
+from .generated.materials import LayeredBody, Material, RigidBody, ViscoelasticBody
+from .generated.problem import ContactProblem, Estimate
+from .generated.subsurface import StressBlock
 from .params import fields_of, params_of
-from .problem import ContactProblem, Estimate
 from .profiles import profile_params
 from .solution import ContactSolution
-from .subsurface import StressBlock
 from .tables import TableIcs
 
 __all__ = [

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from ..errors import StatusError
 from ..refusals import public
 from .arrays import Array
-from .grid import Grid
+from .generated.grid import Grid
 from .registry import extra
 from .representation import Rows, Shown
 

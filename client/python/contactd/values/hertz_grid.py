@@ -7,10 +7,10 @@ from collections.abc import Mapping
 from numbers import Real
 from typing import Any
 
-from .grid import Grid, Paraboloid, SemiAxes
+from .generated.grid import Grid, Paraboloid, SemiAxes
+from .generated.ics import AnalyticIcs
+from .generated.materials import Material, RigidBody, ViscoelasticBody
 from .hertz import Ellipse, Load, ellipse_of_curvatures
-from .ics import AnalyticIcs
-from .materials import Material, RigidBody, ViscoelasticBody
 from .solution import Solution
 
 __all__ = ["corrected_grid", "grid_of"]

@@ -8,7 +8,7 @@ from typing import Any, TypeVar, get_args
 
 from ..errors import ProtocolError
 from .answers import read
-from .grid import Grid
+from .generated.grid import Grid
 from .representation import with_inherited_attributes
 from .solution import ContactSolution, Field, PartialSolution, Solution
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from ..refusals import check_either
-from .ics import AnalyticIcs
+from .generated.ics import AnalyticIcs
 from .params import check_fields
 
 __all__ = ["CLOSED_FORMS", "REQUIRED", "ProblemMethods", "check_field_types"]

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, get_args
 
 from ..refusals import check_type
+from .generated.profile_shapes import Profile
 from .params import params_of
-from .profile_shapes import Profile
 
 __all__ = ["profile_params"]
 

@@ -12,8 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from .arrays import Array
+from .generated.result import Areas, Counts, Derivatives, DerivativesOfAnswer, Field, Forces, Resultant, Solution
 from .representation import with_inherited_attributes
-from .result import Areas, Counts, Derivatives, DerivativesOfAnswer, Field, Forces, Resultant, Solution
 
 __all__ = [
     "Areas",

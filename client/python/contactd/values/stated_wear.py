@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from ..refusals import check_type
-from .wear_laws import ArchardWear, BrWear, EnergyWear, UsfdWear, WearLaw, WearRequest, ZoboryWear
+from .generated.wear_laws import ArchardWear, BrWear, EnergyWear, UsfdWear, WearLaw, WearRequest, ZoboryWear
 
 __all__ = ["StatedLaw", "wear_request"]
 

@@ -16,11 +16,11 @@ import numpy.typing as npt
 from ..refusals import public
 from .arrays import Array, array_of
 from .dictionaries import HasDict
-from .evidence import IcEvidence
-from .fem_ics import FemIcs
-from .grid import Grid
-from .ics import Ics
-from .materials import LayeredBody, Material
+from .generated.evidence import IcEvidence
+from .generated.fem_ics import FemIcs
+from .generated.grid import Grid
+from .generated.ics import Ics
+from .generated.materials import LayeredBody, Material
 from .params import whole
 from .products import displacements_by
 from .registry import extra

@@ -7,10 +7,10 @@ from typing import Any
 from ..errors import invalid
 from ..refusals import check_type
 from .arrays import array_of
-from .motion import Rolling
+from .generated.motion import Rolling
+from .generated.thermal import ThermalBodies
 from .params import params_of
 from .solution import Solution
-from .thermal import ThermalBodies
 
 __all__ = ["temperature_params"]
 

@@ -7,9 +7,9 @@ from typing import Any, Literal
 import numpy as np
 
 from ..errors import invalid
+from ..values.generated.wheel_rail.rigid_wheelset import PlacedProfiles
 from ..values.wheel_rail.origins import Origin, origin_of
 from ..values.wheel_rail.passage_wear import PassageWear
-from ..values.wheel_rail.rigid_wheelset import PlacedProfiles
 from ..values.wheel_rail.solution import WheelRailPatch, WheelRailSolution
 from .places import rows_on_rail, rows_on_wheel
 from .section import Section, deposit

@@ -8,10 +8,10 @@ from typing import Any, Protocol
 import numpy as np
 import numpy.typing as npt
 
+from ..values.generated.profile_shapes import ProfilePoints
+from ..values.generated.wheel_rail.rigid_wheelset import ProfilesOfSides
 from ..values.params import params_of
-from ..values.profile_shapes import ProfilePoints
 from ..values.wheel_rail.params import STEEL
-from ..values.wheel_rail.rigid_wheelset import ProfilesOfSides
 
 __all__ = ["StudyPlace", "WheelRailClient"]
 

@@ -15,10 +15,10 @@ import numpy.typing as npt
 
 from ..calls.answer_warnings import collected, give
 from ..errors import invalid
+from ..values.generated.wear_laws import WearEnergy, WearLaw
+from ..values.generated.wheel_rail.setup import WheelRailSetup
 from ..values.params import params_of, with_objects
-from ..values.wear_laws import WearEnergy, WearLaw
 from ..values.wheel_rail.params import setup_params, state_params
-from ..values.wheel_rail.setup import WheelRailSetup
 from .placed import WheelRailClient
 from .states import WeightedState
 

@@ -13,7 +13,7 @@ from ..errors import invalid
 from ..files.number_text import table_of
 from ..files.whole import read_whole
 from ..refusals import did_you_mean
-from ..values.wheel_rail.state import WheelRailState
+from ..values.generated.wheel_rail.state import WheelRailState
 
 __all__ = ["WeightedState", "mirrored", "read_states", "states_of_columns"]
 

@@ -9,11 +9,11 @@ from functools import cached_property
 from typing import Any, Literal
 
 from ..errors import invalid
-from ..values.fatigue import FatigueRequest
+from ..values.generated.fatigue import FatigueRequest
+from ..values.generated.wear_laws import WearEnergy, WearLaw
+from ..values.generated.wheel_rail.setup import WheelRailSetup
 from ..values.params import params_of, with_objects
-from ..values.wear_laws import WearEnergy, WearLaw
 from ..values.wheel_rail.params import setup_params, state_params
-from ..values.wheel_rail.setup import WheelRailSetup
 from .section import WornPart
 from .states import WeightedState, mirrored
 

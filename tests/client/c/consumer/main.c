@@ -1,5 +1,6 @@
 /* Uses what is installed: succeeds when the library says that nobody listens. */
 #include <contactd.h>
+#include <contactd/paths.h>
 
 int main(void) {
     contactd_connection* connection;

@@ -27,7 +27,7 @@ from contactd import (
 )
 from contactd.contact_files.problems.basic import BasicContact, State, goes_on
 from contactd.contact_files.problems.features import Missing, missing
-from contactd.values.contact_files import ContactCase
+from contactd.values.generated.contact_files import ContactCase
 from support.contact_cases import basic_case
 
 CORNER = {"IPOTCN": 1, "MX": 6, "MY": 4, "XL": -3.0, "YL": -1.0, "DX": 1.0, "DY": 0.5, "IBASE": 1, "IPLAN": 1,

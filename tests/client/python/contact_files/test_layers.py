@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from contactd.contact_files.answers.elements import layer_of
-from contactd.values.friction import InterfacialLayer
-from contactd.values.grid import Grid
+from contactd.values.generated.friction import InterfacialLayer
+from contactd.values.generated.grid import Grid
 
 GRID = Grid(3, 1, 0.5, 1.0)
 LAYER = InterfacialLayer(1e-5, 120.0, 9000.0)

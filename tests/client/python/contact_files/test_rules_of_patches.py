@@ -6,8 +6,8 @@ import math
 from typing import Any
 
 from contactd.contact_files.problems.rails import RailContact
-from contactd.values.profile_shapes import S1002, Rail60E1
-from contactd.values.wheel_rail.setup import PatchRules
+from contactd.values.generated.profile_shapes import S1002, Rail60E1
+from contactd.values.generated.wheel_rail.setup import PatchRules
 from support.contact_cases import rail_case
 
 

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from ...values.motion import Rolling, Shift
+from ...values.generated.motion import Rolling, Shift
 from ...values.solution import ContactSolution
 from ..problems.basic import BasicContact
 from ..problems.models import is_parabolic

@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ...values.friction import InterfacialLayer
-from ...values.grid import Grid
-from ...values.motion import TemperatureFriction
+from ...values.generated.friction import InterfacialLayer
+from ...values.generated.grid import Grid
+from ...values.generated.motion import TemperatureFriction
 from ...values.solution import Solution
 
 __all__ = ["Elements", "ahead", "displacement_of", "division_of", "friction_at", "law_of", "layer_of", "plastic_elements", "rigid_slip_on", "temperature_of"]

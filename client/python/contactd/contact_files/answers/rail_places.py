@@ -7,9 +7,9 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from ...values.wheel_rail.forces import Wrench
-from ...values.wheel_rail.places import ContactReference
-from ...values.wheel_rail.result import WheelRailSolution
+from ...values.generated.wheel_rail.forces import Wrench
+from ...values.generated.wheel_rail.places import ContactReference
+from ...values.generated.wheel_rail.result import WheelRailSolution
 from ..problems.rails import RailContact
 
 __all__ = ["along_axle", "moment_about_normal", "on_rail", "on_wheel"]

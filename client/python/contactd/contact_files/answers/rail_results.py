@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 import numpy.typing as npt
 
-from ...values.wheel_rail.result import WheelRailPatch, WheelRailSolution
+from ...values.generated.wheel_rail.result import WheelRailPatch, WheelRailSolution
 from ..problems.bodies import pair_of
 from ..problems.rails import RailContact
 from .compared import Compared

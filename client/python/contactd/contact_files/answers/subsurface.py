@@ -10,9 +10,9 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from ...values.grid import Grid, Paraboloid
-from ...values.problem import ContactProblem, Estimate
-from ...values.subsurface import StressBlock, SubsurfaceStress
+from ...values.generated.grid import Grid, Paraboloid
+from ...values.generated.problem import ContactProblem, Estimate
+from ...values.generated.subsurface import StressBlock, SubsurfaceStress
 from ..problems.bodies import Pair
 
 __all__ = ["COMPONENTS", "Body", "StressField", "Stresses", "stress_field", "surface_displacement"]

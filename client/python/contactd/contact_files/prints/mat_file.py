@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..._version import MARK
-from ...values.grid import Grid
+from ...values.generated.grid import Grid
 from ..answers.basic_results import BasicResult
 from ..answers.elements import Elements
 from ..answers.rail_results import LETTERS, RailResult

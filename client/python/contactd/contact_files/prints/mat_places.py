@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from ...values.wheel_rail.result import WheelRailPatch
+from ...values.generated.wheel_rail.result import WheelRailPatch
 from ..answers.rail_places import along_axle
 from ..answers.rail_results import RailResult
 
 if TYPE_CHECKING:
-    from ...values.contact_files import ContactCase as Case
+    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["PatchPlaces", "patch_places"]
 

@@ -9,7 +9,7 @@ from .numbers import general
 from .out_text import g_row
 
 if TYPE_CHECKING:
-    from ...values.contact_files import ContactCase as Case
+    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["heat_lines", "largest_temperature"]
 

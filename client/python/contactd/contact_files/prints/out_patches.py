@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ...values.wheel_rail.result import WheelRailPatch
+from ...values.generated.wheel_rail.result import WheelRailPatch
 from ..answers.rail_results import RailResult
 from ..problems.bodies import pair_of
 from .numbers import fixed, fortran_g, general

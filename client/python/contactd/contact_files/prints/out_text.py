@@ -9,7 +9,7 @@ from ..._version import __version__
 from .numbers import fortran_g, general
 
 if TYPE_CHECKING:
-    from ...values.contact_files import ContactCase as Case
+    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["IS_OURS", "case_head", "digits", "g_row", "gs_row", "head", "interfacial_layer", "row", "statistics_lines"]
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ...values.grid import Grid, HalfEllipses, Paraboloid
+from ...values.generated.grid import Grid, HalfEllipses, Paraboloid
 from ...values.hertz import Ellipse, Load, compliance_of, ellipse_of_axes, ellipse_of_curvatures, ellipse_of_ratio
 from .distances import EXCLUDED, distance, excluded, quadratic_of
 

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from ...values.evidence import SolverSettings
-from ...values.friction import Friction
-from ...values.grid import Grid
-from ...values.ics import AnalyticIcs
-from ...values.motion import Rolling
-from ...values.problem import ContactProblem, Estimate
+from ...values.generated.evidence import SolverSettings
+from ...values.generated.friction import Friction
+from ...values.generated.grid import Grid
+from ...values.generated.ics import AnalyticIcs
+from ...values.generated.motion import Rolling
+from ...values.generated.problem import ContactProblem, Estimate
 from ...values.tables import TableIcs
 from .areas import PotentialContact, potential_contact
 from .bodies import Pair, bodies_of, pair_of, sheet_of
@@ -27,7 +27,7 @@ from .models import models_of, without_memory
 from .solvers import solver_settings
 
 if TYPE_CHECKING:
-    from ...values.contact_files import ContactCase as Case
+    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["BasicContact", "ReadCoefficients", "State", "goes_on"]
 

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from ...values.materials import Material, ViscoelasticBody
+from ...values.generated.materials import Material, ViscoelasticBody
 
 if TYPE_CHECKING:
-    from ...values.contact_files import ContactCase as Case
+    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["Pair", "bodies_of", "combined", "is_viscoelastic", "pair_of", "sheet_of"]
 

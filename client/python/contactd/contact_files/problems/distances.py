@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from ...values.grid import Grid
-from ...values.regions import ContactRegions, RegionLimits
+from ...values.generated.grid import Grid
+from ...values.generated.regions import ContactRegions, RegionLimits
 
 __all__ = ["EXCLUDED", "distance", "excluded", "quadratic_of", "regions_of"]
 

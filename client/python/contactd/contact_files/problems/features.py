@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from ...values.contact_files import ContactCase as Case
+    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["MOST_ELEMENTS", "TOO_MANY_ELEMENTS", "Missing", "missing", "prescribes_pressures"]
 

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...values.friction import InterfacialLayer
 from ...values.friction_methods import Force
-from ...values.grid import Grid
-from ...values.motion import FrictionMemory, KineticFriction, SecondTerm, SlipLaw, SlipStart
+from ...values.generated.friction import InterfacialLayer
+from ...values.generated.grid import Grid
+from ...values.generated.motion import FrictionMemory, KineticFriction, SecondTerm, SlipLaw, SlipStart
 from .features import Missing
 
 if TYPE_CHECKING:
-    from ...values.contact_files import ContactCase as Case
+    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["Coefficients", "coefficients", "coefficients_of_sets", "layer", "shares", "static"]
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from ...values.motion import FrictionMemory, TemperatureFriction
-from ...values.thermal import ThermalBodies, ThermalBody
+from ...values.generated.motion import FrictionMemory, TemperatureFriction
+from ...values.generated.thermal import ThermalBodies, ThermalBody
 from .features import Missing
 
 if TYPE_CHECKING:
-    from ...values.contact_files import ContactCase as Case
+    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["temperature_by_angle", "temperature_friction", "thermal_bodies"]
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from ...values.evidence import Model, NormalModel, SimplifiedSettings, SlopeReduction, TractionBound
+from ...values.generated.evidence import Model, NormalModel, SimplifiedSettings, SlopeReduction, TractionBound
 
 if TYPE_CHECKING:
-    from ...values.contact_files import ContactCase as Case
-    from ...values.motion import KineticFriction
+    from ...values.generated.contact_files import ContactCase as Case
+    from ...values.generated.motion import KineticFriction
 
 __all__ = ["is_parabolic", "models_of", "without_memory"]
 

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ...values.evidence import SolverSettings
-from ...values.grid import Grid
-from ...values.profile_shapes import Profile
-from ...values.wheel_rail.setup import (
+from ...values.generated.evidence import SolverSettings
+from ...values.generated.grid import Grid
+from ...values.generated.profile_shapes import Profile
+from ...values.generated.wheel_rail.setup import (
     PatchRules,
     RailSprings,
     SlopeForces,
@@ -22,7 +22,13 @@ from ...values.wheel_rail.setup import (
     Wheelset,
     WheelSurface,
 )
-from ...values.wheel_rail.state import RailDeviation, WheelDeviation, WheelRailState, WheelsetPosition, WheelsetVelocity
+from ...values.generated.wheel_rail.state import (
+    RailDeviation,
+    WheelDeviation,
+    WheelRailState,
+    WheelsetPosition,
+    WheelsetVelocity,
+)
 from .bodies import pair_of, sheet_of
 from .features import Missing, missing
 from .frictions import coefficients_of_sets, layer
@@ -31,7 +37,7 @@ from .models import models_of, without_memory
 from .solvers import solver_settings
 
 if TYPE_CHECKING:
-    from ...values.contact_files import ContactCase as Case
+    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["Profiles", "RailContact", "Slices"]
 

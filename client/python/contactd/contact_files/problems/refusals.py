@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from ...errors import InvalidArgument
-    from ...values.contact_files import ContactCase as Case
+    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["in_words_of"]
 

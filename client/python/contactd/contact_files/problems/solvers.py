@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from ...values.evidence import SolverSettings
+from ...values.generated.evidence import SolverSettings
 
 __all__ = ["solver_settings"]
 

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
-from ..evidence import Model, NormalModel
+from ..generated.evidence import Model, NormalModel
+from ..generated.wheel_rail.result import WheelRailPatch, WheelRailSolution
 from ..registry import extra
 from ..representation import Rows, Shown
 from ..solution import ContactSolution, PartialSolution
-from .result import WheelRailPatch, WheelRailSolution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -8,9 +8,9 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 from weakref import WeakKeyDictionary
 
-from .rigid_wheelset import PlacedProfiles
-from .setup import Side, WheelRailSetup
-from .state import RailDeviation, WheelRailState, WheelsetPosition
+from ..generated.wheel_rail.rigid_wheelset import PlacedProfiles
+from ..generated.wheel_rail.setup import Side, WheelRailSetup
+from ..generated.wheel_rail.state import RailDeviation, WheelRailState, WheelsetPosition
 
 __all__ = ["RADIUS", "Origin", "origin_of", "remember"]
 

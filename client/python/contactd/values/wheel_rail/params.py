@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from ...refusals import check_type
-from ..materials import Material
+from ..generated.materials import Material
+from ..generated.wheel_rail.setup import WheelRailSetup
+from ..generated.wheel_rail.state import WheelRailState, WheelsetState
 from ..params import params_of
-from .setup import WheelRailSetup
-from .state import WheelRailState, WheelsetState
 
 __all__ = ["setup_params", "state_params", "wheelset_state_params"]
 

@@ -6,9 +6,9 @@ import math
 from numbers import Real
 from typing import Any
 
+from ..generated.wheel_rail.setup import WheelRailSetup
+from ..generated.wheel_rail.state import WheelRailState, WheelsetPosition, WheelsetVelocity
 from .origins import RADIUS
-from .setup import WheelRailSetup
-from .state import WheelRailState, WheelsetPosition, WheelsetVelocity
 
 __all__ = ["pure_rolling"]
 

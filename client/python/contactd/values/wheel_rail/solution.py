@@ -10,9 +10,9 @@ from typing import Any, TypeVar
 
 from ...errors import ProtocolError
 from ..answers import read
+from ..generated.wheel_rail.result import RailDeflection, WheelRailPatch, WheelRailSolution, WheelsetSolution
 from ..partial_solution import ALL_FIELDS, check_arrays, on_grid
 from ..representation import with_inherited_attributes
-from .result import RailDeflection, WheelRailPatch, WheelRailSolution, WheelsetSolution
 
 __all__ = [
     "RailDeflection",

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from ...refusals import public
 from ..dictionaries import Saved
+from ..generated.wheel_rail.state import WheelRailState
 from ..registry import extra
 from ..representation import Rows, Shown
 from .passage_wear import PassageWear
 from .solved_states import state_of
-from .state import WheelRailState
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

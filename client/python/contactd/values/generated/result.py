@@ -8,15 +8,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Generic, Literal
 
-from .arrays import Array
-from .dictionaries import Saved
+from ..arrays import Array
+from ..dictionaries import Saved
+from ..fatigue_methods import ContactFatigueMethods
+from ..representation import Shown
+from ..solution_methods import Bytes, Floats, SolutionMethods
+from ..wear_methods import ContactWearMethods
 from .evidence import ContactEvidence
-from .fatigue_methods import ContactFatigueMethods
 from .grid import Grid
 from .motion import Rolling, Shift
-from .representation import Shown
-from .solution_methods import Bytes, Floats, SolutionMethods
-from .wear_methods import ContactWearMethods
 
 __all__ = [
     "Areas",

@@ -11,20 +11,20 @@ from typing import TYPE_CHECKING, TypedDict
 
 import numpy.typing as npt
 
-from ..refusals import public
-from .arrays import Array
-from .dictionaries import Saved
+from ...refusals import public
+from ..arrays import Array
+from ..dictionaries import Saved
+from ..params import HasParams, instead
+from ..problem_methods import CLOSED_FORMS, REQUIRED, ProblemMethods
+from ..solution import ContactSolution
+from ..tables import TableIcs
 from .evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
 from .fatigue import FatigueRequest
 from .friction import Friction
 from .grid import Grid, HalfEllipses, Paraboloid, SemiAxes
 from .ics import Ics
 from .materials import LayeredBody, Material, RigidBody, ViscoelasticBody
-from .params import HasParams, instead
-from .problem_methods import CLOSED_FORMS, REQUIRED, ProblemMethods
 from .regions import ContactRegions
-from .solution import ContactSolution
-from .tables import TableIcs
 from .thermal import ThermalBodies
 from .wear_laws import WearRequest
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from ..dictionaries import Saved
+from ...dictionaries import Saved
 
 __all__ = [
     "RailDeviation",

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .arrays import Array
-from .dictionaries import Saved
+from ..arrays import Array
+from ..dictionaries import Saved
+from ..representation import Shown
+from ..temperature_methods import SurfaceTemperaturesMethods
 from .grid import Grid
-from .representation import Shown
 from .result import ContactTemperature
-from .temperature_methods import SurfaceTemperaturesMethods
 
 __all__ = ["SurfaceTemperatures"]
 

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .params import HasParams
+from ..params import HasParams
 
 __all__ = ["ThermalBodies", "ThermalBody"]
 

@@ -9,8 +9,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Literal
 
-from .params import HasParams
-from .wear_law_methods import StatedWear
+from ..params import HasParams
+from ..wear_law_methods import StatedWear
 
 __all__ = [
     "ArchardWear",

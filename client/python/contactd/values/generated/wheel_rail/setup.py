@@ -10,8 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING, Literal, TypedDict
 
-from ...refusals import public
-from ..dictionaries import Saved
+from ....refusals import public
+from ...dictionaries import Saved
 from ..evidence import Model, NormalModel, SimplifiedSettings, SolverSettings
 from ..fatigue import FatigueRequest
 from ..friction import InterfacialLayer

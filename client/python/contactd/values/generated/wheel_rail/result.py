@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..arrays import Array
+from ...arrays import Array
+from ...solution import PartialSolution
+from ...wheel_rail.solution_methods import WheelRailSolutionMethods, WheelsetSolutionMethods
 from ..evidence import SolverEvidence
-from ..solution import PartialSolution
 from .forces import WheelRailDerivatives, WheelRailForces
 from .places import ContactPlace, ProfileFrame
-from .solution_methods import WheelRailSolutionMethods, WheelsetSolutionMethods
 
 __all__ = ["RailDeflection", "WheelRailPatch", "WheelRailSolution", "WheelsetSolution"]
 

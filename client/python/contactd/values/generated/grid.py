@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .grid_methods import GridMethods
+from ..grid_methods import GridMethods
 
 __all__ = ["Grid", "HalfEllipses", "Paraboloid", "SemiAxes"]
 

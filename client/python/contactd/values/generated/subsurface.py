@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 
 import numpy.typing as npt
 
-from .arrays import Array
-from .dictionaries import Saved
-from .representation import Shown
-from .subsurface_methods import StressBlockMethods, SubsurfaceStressMethods
+from ..arrays import Array
+from ..dictionaries import Saved
+from ..representation import Shown
+from ..subsurface_methods import StressBlockMethods, SubsurfaceStressMethods
 
 __all__ = ["LargestStress", "StressBlock", "SubsurfaceStress"]
 

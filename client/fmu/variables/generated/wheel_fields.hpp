@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "variable.hpp"
+#include "variables/variable.hpp"
 
 namespace contactd::fmu::detail {
 

@@ -10,8 +10,8 @@ from dataclasses import dataclass
 
 import numpy.typing as npt
 
-from ..refusals import public
-from .friction_methods import Force, FrictionMethods
+from ...refusals import public
+from ..friction_methods import Force, FrictionMethods
 from .motion import KineticFriction, Rolling, TemperatureFriction
 
 __all__ = ["Friction", "InterfacialLayer"]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import TypedDict
 
-from ..solution import Fields
+from ...solution import Fields
 from .setup import WheelRailFriction
 from .state import WheelRailState
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from .params import HasParams
+from ..params import HasParams
 from .wear_laws import WornBody
 
 __all__ = ["DamageFunction", "FatigueRequest", "FatigueStrength", "Passage"]

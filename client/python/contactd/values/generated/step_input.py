@@ -9,11 +9,11 @@ from typing import TypedDict
 
 import numpy.typing as npt
 
+from ..friction_methods import Force
+from ..solution import Fields
 from .friction import Friction
-from .friction_methods import Force
 from .grid import HalfEllipses, Paraboloid, SemiAxes
 from .motion import RollingKind
-from .solution import Fields
 
 __all__ = ["StepInput"]
 

@@ -10,10 +10,10 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from .arrays import Array
+from ..arrays import Array
+from ..tables import IcSpec
 from .evidence import IcEvidence, IcUse
 from .grid import Grid
-from .tables import IcSpec
 
 __all__ = ["ImportedIc", "QuarantinedIc", "RecentPatch", "RecentSolve", "StoredIc"]
 

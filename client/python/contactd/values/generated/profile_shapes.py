@@ -11,7 +11,7 @@ from os import PathLike
 
 import numpy.typing as npt
 
-from .profile_points import FileOfProfile, MeasuredProfile
+from ..profile_points import FileOfProfile, MeasuredProfile
 
 __all__ = ["S1002", "ArcProfile", "ConeProfile", "KinkRule", "Profile", "ProfileFile", "ProfilePoints", "Rail60E1"]
 

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from .contact_file_methods import ContactFileMethods
+from ..contact_file_methods import ContactFileMethods
 
 __all__ = ["ContactCase", "ContactFile", "ContactSlice", "ContactSlices"]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from ..arrays import Array
+from ...arrays import Array
 
 __all__ = [
     "EquivalentConicity",

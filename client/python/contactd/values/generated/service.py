@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from .representation import ProgressText
+from ..representation import ProgressText
 
 __all__ = ["Job", "Limits", "Progress", "ServerInfo", "SessionSummary"]
 

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 
 import numpy.typing as npt
 
-from .params import HasParams
-from .region_methods import RegionMethods
+from ..params import HasParams
+from ..region_methods import RegionMethods
 
 __all__ = ["ContactRegions", "RegionLimits"]
 

@@ -9,9 +9,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from ..refusals import public
+from ...refusals import public
+from ..params import Checked
 from .fem_ics import FemIcs, LoadShape
-from .params import Checked
 
 __all__ = ["AnalyticIcs", "Ics", "LineContact"]
 

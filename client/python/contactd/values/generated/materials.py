@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .material_methods import LayeredBodyMethods, MaterialMethods, SingleLayerMethods, ViscoelasticBodyMethods
-from .params import Checked, HasParams
+from ..material_methods import LayeredBodyMethods, MaterialMethods, SingleLayerMethods, ViscoelasticBodyMethods
+from ..params import Checked, HasParams
 
 __all__ = ["Layer", "LayeredBody", "Material", "RigidBody", "ViscoelasticBody"]
 
