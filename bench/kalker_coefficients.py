@@ -1,7 +1,7 @@
-"""Computes Kalker's creepage coefficients and prints them as core/src/closed_forms/kalker_table.hpp.
+"""Computes Kalker's creepage coefficients and prints them as core/src/closed_forms/generated/kalker_table.hpp.
 
-    python3 bench/kalker_coefficients.py > core/src/closed_forms/kalker_table.hpp        (about five minutes)
-    python3 bench/kalker_coefficients.py --converge                         (their convergence with the order)
+    python3 bench/kalker_coefficients.py > core/src/closed_forms/generated/kalker_table.hpp    (about five minutes)
+    python3 bench/kalker_coefficients.py --converge                                (their convergence with the order)
 
 Linear theory of rolling (Kalker 1967; 1990, section 3.1 and appendix E): no slip anywhere, so that du/dx = w with
 u = A p, w = (xi - phi y, eta + phi x), rolling along +x, and no traction at the leading edge. On the ellipse

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "contactd/error.hpp"
-#include "kalker_table.hpp"
+#include "generated/kalker_table.hpp"
 #include "types/number_text.hpp"
 
 namespace contactd {
