@@ -1,14 +1,15 @@
 #include "ic_service.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "contactd/closed_form_record.hpp"
 #include "contactd/error.hpp"
 #include "contactd/ic_family.hpp"
 #include "contactd/strip_frames.hpp"
 #include "description.hpp"
-#include "request_in_flight.hpp"
 
 namespace contactd::engine {
 
@@ -33,6 +34,19 @@ class WhileRequested final : public Observer {
 };
 
 }  // namespace
+
+/// A table being fetched and the callers waiting for it.
+struct IcService::RequestInFlight {
+    IcSpec spec;  // dimensionless
+    std::string key;
+    std::shared_ptr<Job> job;  // null until it is known that a build is needed
+    std::vector<IcCaller> callers;
+    std::string description{};  // of what the first caller asked for, with its lengths
+
+    bool serves(const std::string& request, const IcSpec& other) const {
+        return key == request && spec.nx >= other.nx && spec.ny >= other.ny && !(job && job->cancelled());
+    }
+};
 
 IcService::IcService(Settings settings, IcStore store, JobTable& jobs, EngineCounters& counters)
     : settings_(std::move(settings)),

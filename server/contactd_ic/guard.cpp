@@ -11,7 +11,6 @@
 #include <cerrno>
 #include <chrono>
 
-#include "exit_code.hpp"
 #include "memory.hpp"
 
 namespace contactd::ic {

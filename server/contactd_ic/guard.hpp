@@ -18,6 +18,9 @@
 
 namespace contactd::ic {
 
+/// Exit statuses of contactd-ic; 128 + n if signal n ended it.
+enum ExitCode { success = 0, failure = 1, bad_input = 2, not_converged = 3, out_of_memory = 4 };
+
 /// Blocks the signals in this thread and all threads that it starts, so that only the guard receives them. Must be
 /// called before MPI starts threads.
 void hold_signals_back();

@@ -31,7 +31,6 @@
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/json_reader.hpp"
 #include "contactd/proto/schema.hpp"
-#include "exit_code.hpp"
 #include "guard.hpp"
 #include "memory.hpp"
 

@@ -1,4 +1,4 @@
-#include "contact_fields.hpp"
+#include "field_types.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,6 @@
 #include "contactd/fields/ic_spec.hpp"
 #include "fields_with.hpp"
 #include "inputs.hpp"
-#include "section_type.hpp"
 
 namespace contactd {
 

@@ -7,8 +7,8 @@
 #include <utility>
 #include <variant>
 
-#include "contact_fields.hpp"
 #include "contactd/error.hpp"
+#include "field_types.hpp"
 
 namespace contactd::c {
 namespace {

@@ -3,9 +3,9 @@
 #include <array>
 #include <optional>
 
-#include "contact_fields.hpp"
 #include "contactd/fields/ic_reply.hpp"
 #include "contactd/fields/wheel_rail_solution.hpp"
+#include "field_types.hpp"
 
 namespace contactd::c {
 namespace {

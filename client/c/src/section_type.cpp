@@ -1,4 +1,4 @@
-#include "section_type.hpp"
+#include "field_types.hpp"
 
 #include <cstddef>
 #include <string_view>

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "contactd/error.hpp"
+#include "field_types.hpp"
 #include "results.hpp"
-#include "wheel_fields.hpp"
 
 namespace contactd::c {
 namespace {

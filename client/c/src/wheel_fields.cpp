@@ -1,4 +1,4 @@
-#include "wheel_fields.hpp"
+#include "field_types.hpp"
 
 #include <array>
 #include <vector>

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "contact_set_up.hpp"
 #include "friction_laws.hpp"
+#include "set_up.hpp"
 #include "variables/contact_variables.hpp"
 
 namespace contactd::fmu {

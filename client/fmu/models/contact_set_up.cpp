@@ -1,4 +1,4 @@
-#include "contact_set_up.hpp"
+#include "set_up.hpp"
 
 #include <string>
 #include <string_view>

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "place.hpp"
-#include "wheel_set_up.hpp"
+#include "set_up.hpp"
 
 namespace contactd::fmu {
 

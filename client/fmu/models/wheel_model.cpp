@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "friction_laws.hpp"
+#include "set_up.hpp"
 #include "variables/wheel_variables.hpp"
-#include "wheel_set_up.hpp"
 
 namespace contactd::fmu {
 namespace {

@@ -1,4 +1,4 @@
-#include "wheel_set_up.hpp"
+#include "set_up.hpp"
 
 #include <string>
 #include <string_view>

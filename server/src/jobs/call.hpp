@@ -74,7 +74,6 @@ class Call {
     /// Returns the connection of the request, by which queues and limits count clients.
     const std::string& client() const { return route_.identity; }
     const std::string& user() const { return route_.user; }
-    bool takes_progress() const { return !route_.empty_delimiter; }
 
     /// Returns the client's deadline, or never.
     Clock::time_point deadline() const {

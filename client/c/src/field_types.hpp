@@ -1,4 +1,4 @@
-// Fields of the inputs and results of a contact by their paths.
+// Fields of the inputs and results of contacts and wheels by their paths.
 #pragma once
 
 #include "contactd/fields.hpp"
@@ -12,6 +12,12 @@ const FieldType& type_of_problem();
 /// Other fields of ContactInputs: "bodies.upper", "bodies.lower", "ics", "lease_seconds", "accept_unconverged". An
 /// elastic body has G and nu, a rigid one rigid; setting a field of "ics" replaces a table.
 const FieldType& type_of_bodies_and_session();
+/// The fields of Section: "rail_60e1.inclination", "outline.outside.parts[0].line.to.y", "size". Setting a field of a
+/// shape, or of a part's curve, selects it for the section or the part.
+const FieldType& type_of_section();
+/// The fields of WheelInput, "setup" and "state". Materials, whose form on the wire differs, are objects here:
+/// "setup.bodies.lower.G" makes the wheel elastic.
+const FieldType& type_of_wheel_input();
 
 /// The fields of ContactSolution; "motion" has the fields of a shift or of rolling.
 const FieldType& type_of_solution();

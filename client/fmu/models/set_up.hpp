@@ -1,4 +1,4 @@
-// Parameters of a wheel, and its fields that are variables by their paths.
+// Parameters of contacts and wheels, and fields of wheels that are variables by their paths.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,8 @@
 
 namespace contactd::fmu {
 
+/// Sets all parameters except those of a step. Throws Failure.
+void set_up(contactd_contact* contact, const Values& values);
 /// Sets all parameters. Throws Failure, also for a file that cannot be read, naming the variable.
 void set_up(contactd_wheel* wheel, const Values& values, const std::filesystem::path& resources);
 
