@@ -1,14 +1,9 @@
 // The cases of cases.py, in a file, through the C++ client; telling.py says what stands in a line.
 //
 //     congruence-cpp ipc:///run/contactd.sock cases.txt
-#include <cstdio>
-#include <fstream>
 #include <functional>
-#include <iostream>
 #include <map>
 #include <memory>
-#include <set>
-#include <sstream>
 
 #include "contactd/client/session.hpp"
 #include "contactd/error.hpp"
@@ -247,44 +242,11 @@ void Case::make(const Words& words) {
 }
 
 void Case::call(const Words& words) {
-    std::printf("%s %s", name_.c_str(), words[0].c_str());
-    try {
-        make(words);
-    } catch (const StatusError& error) {
-        const Status& status = error.status();
-        std::printf(" refused %d %s %s", static_cast<int>(status.code), status.reason.c_str(),
-                    status.violations.empty() ? "" : status.violations[0].field.c_str());
-    } catch (const InvalidArgument& error) {
-        std::printf(" refused 3 FIELD_INVALID %s", error.field().c_str());
-    }
-    std::printf("\n");
+    print_call(name_, words[0], [&] { make(words); });
 }
-
-const std::set<std::string> calls{"start", "step", "again", "save", "restore", "forget"};
 
 }  // namespace
 
 int main(int arguments, char** argument) {
-    std::ifstream cases(arguments == 3 ? argument[2] : "");
-    if (!cases) {
-        std::cerr << "usage: congruence-cpp ENDPOINT CASES\n";
-        return 2;
-    }
-    client::Client client(argument[1]);
-    std::unique_ptr<Case> open;
-    for (std::string line; std::getline(cases, line);) {
-        std::istringstream text(line);
-        Words words;
-        for (std::string word; text >> word;) words.push_back(word);
-        if (words.empty()) continue;
-        if (words[0] == "case") {
-            open.reset();
-            open = std::make_unique<Case>(client, words[1]);
-        } else if (calls.contains(words[0])) {
-            open->call(words);
-        } else {
-            open->say(words);
-        }
-    }
-    return 0;
+    return run_cases<Case>(arguments, argument, {"start", "step", "again", "save", "restore", "forget"});
 }

@@ -2,14 +2,8 @@
 //
 //     congruence-wheel-cpp ipc:///run/contactd.sock cases.txt
 #include <cstdio>
-#include <fstream>
-#include <functional>
-#include <iostream>
-#include <map>
 #include <memory>
-#include <set>
 #include <span>
-#include <sstream>
 
 #include "contactd/client/session.hpp"
 #include "contactd/error.hpp"
@@ -26,7 +20,7 @@ class Wheel {
     Wheel(client::Client& client, std::string name) : client_(client), name_(std::move(name)) {}
 
     void say(const Words& words);
-    void call(const std::string& call);
+    void call(const Words& words);
 
    private:
     bool set_up(const Words& words);
@@ -223,45 +217,12 @@ void Wheel::make(const std::string& call) {
     }
 }
 
-void Wheel::call(const std::string& call) {
-    std::printf("%s %s", name_.c_str(), call.c_str());
-    try {
-        make(call);
-    } catch (const StatusError& error) {
-        const Status& status = error.status();
-        std::printf(" refused %d %s %s", static_cast<int>(status.code), status.reason.c_str(),
-                    status.violations.empty() ? "" : status.violations[0].field.c_str());
-    } catch (const InvalidArgument& error) {
-        std::printf(" refused 3 FIELD_INVALID %s", error.field().c_str());
-    }
-    std::printf("\n");
+void Wheel::call(const Words& words) {
+    print_call(name_, words[0], [&] { make(words[0]); });
 }
-
-const std::set<std::string> calls{"solve", "geometry", "open", "step"};
 
 }  // namespace
 
 int main(int arguments, char** argument) {
-    std::ifstream cases(arguments == 3 ? argument[2] : "");
-    if (!cases) {
-        std::cerr << "usage: congruence-wheel-cpp ENDPOINT CASES\n";
-        return 2;
-    }
-    client::Client client(argument[1]);
-    std::unique_ptr<Wheel> wheel;
-    for (std::string line; std::getline(cases, line);) {
-        std::istringstream text(line);
-        Words words;
-        for (std::string word; text >> word;) words.push_back(word);
-        if (words.empty()) continue;
-        if (words[0] == "case") {
-            wheel.reset();
-            wheel = std::make_unique<Wheel>(client, words[1]);
-        } else if (calls.contains(words[0])) {
-            wheel->call(words[0]);
-        } else {
-            wheel->say(words);
-        }
-    }
-    return 0;
+    return run_cases<Wheel>(arguments, argument, {"solve", "geometry", "open", "step"});
 }

@@ -1,11 +1,19 @@
-// Words of the cases that the driver in C++ makes bodies and tables of.
+// Cases of the drivers in C++: their words, the bodies and tables that these make, and the calls.
 #pragma once
 
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
+#include "contactd/client/client.hpp"
 #include "contactd/contact.hpp"
+#include "contactd/error.hpp"
 
 namespace contactd {
 
@@ -33,6 +41,49 @@ inline Body layered(const Words& words) {
     for (std::size_t at = 5; at < words.size(); at += 3)
         layers.layers.push_back({number(words[at]), number(words[at + 1]), number(words[at + 2])});
     return Body::of(layers, words[2] == "bilinear" ? LoadShape::bilinear : LoadShape::constant);
+}
+
+/// Prints the line of a call: its case, its word, and what it prints itself or how it is refused.
+template <class Call>
+void print_call(const std::string& name, const std::string& word, const Call& call) {
+    std::printf("%s %s", name.c_str(), word.c_str());
+    try {
+        call();
+    } catch (const StatusError& error) {
+        const Status& status = error.status();
+        std::printf(" refused %d %s %s", static_cast<int>(status.code), status.reason.c_str(),
+                    status.violations.empty() ? "" : status.violations[0].field.c_str());
+    } catch (const InvalidArgument& error) {
+        std::printf(" refused 3 FIELD_INVALID %s", error.field().c_str());
+    }
+    std::printf("\n");
+}
+
+/// Runs the cases in a file. A line that begins with one of `calls` calls the interface; the others describe the case.
+template <class Case>
+int run_cases(int arguments, char** argument, const std::set<std::string>& calls) {
+    std::ifstream cases(arguments == 3 ? argument[2] : "");
+    if (!cases) {
+        std::cerr << "usage: " << argument[0] << " ENDPOINT CASES\n";
+        return 2;
+    }
+    client::Client client(argument[1]);
+    std::unique_ptr<Case> open;
+    for (std::string line; std::getline(cases, line);) {
+        std::istringstream text(line);
+        Words words;
+        for (std::string word; text >> word;) words.push_back(word);
+        if (words.empty()) continue;
+        if (words[0] == "case") {
+            open.reset();
+            open = std::make_unique<Case>(client, words[1]);
+        } else if (calls.contains(words[0])) {
+            open->call(words);
+        } else {
+            open->say(words);
+        }
+    }
+    return 0;
 }
 
 }  // namespace contactd

@@ -1,4 +1,4 @@
-"""Cases of the CONTACT program's input files, made by hand: what its reader gives."""
+"""Cases of the CONTACT program's input files, made by hand: as texts, and as its reader gives them."""
 
 from __future__ import annotations
 
@@ -7,7 +7,29 @@ from typing import Any
 
 from contactd.contact_files.case import Case
 
-__all__ = ["basic_case", "rail_case"]
+__all__ = ["END", "FIRST", "SECOND", "basic_case", "rail_case"]
+
+FIRST = """\
+ 3  MODULE
+  203100
+  022020
+ 0001201
+   999  100  30  1  1e-6
+ 50000.  0.0005  0.0  0.0001
+   0.3   0.3
+   0.0   0.5   20000.
+   0.28  0.28  82000.  82000.
+    -3
+   15  15  6.0  4.0  1.1
+"""
+SECOND = """\
+ 3  MODULE
+  203100
+  100000
+ 0101201
+ 50000.  0.0020  0.0  0.0001
+"""
+END = " 0  MODULE\n"
 
 _BASIC = {"P": 2, "B": 0, "T": 3, "N": 1, "F": 0, "S": 0, "V": 0, "L": 0, "D": 2, "C": 2, "M": 0, "Z": 2, "E": 0, "M2": 1,
           "W2": 0, "X": 0, "H": 0, "G": 0, "I": 0, "A": 0, "O": 3, "W": 0, "R": 1}  # fmt: skip

@@ -18,18 +18,6 @@ const char* kind_of(const ContactProblem& problem) {
     return rolling == nullptr ? "shift" : rolling->steady() ? "steady rolling" : "transient rolling";
 }
 
-void print_unconverged(const ContactSolution& solution) {
-    const auto print = [](const char* name, const std::optional<SolverEvidence>& evidence) {
-        if (evidence && !evidence->converged)
-            std::printf(" %s %d %.1e", name, evidence->iterations, evidence->residual);
-    };
-    print("normal", solution.evidence.normal);
-    print("tangential", solution.evidence.tangential);
-    print("outer", solution.evidence.outer);
-    print("force", solution.evidence.force);
-    std::printf("\n");
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -55,7 +43,6 @@ int main(int argc, char** argv) {
         if (!solution.converged()) {
             ++unconverged;
             describe();
-            std::printf("not converged:");
             print_unconverged(solution);
             continue;
         }

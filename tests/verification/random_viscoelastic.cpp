@@ -28,16 +28,7 @@ int main(int argc, char** argv) {
         if (!solution.converged()) {
             ++unconverged;
             describe();
-            std::printf("not converged:");
-            const auto print = [](const char* name, const std::optional<SolverEvidence>& evidence) {
-                if (evidence && !evidence->converged)
-                    std::printf(" %s %d %.1e", name, evidence->iterations, evidence->residual);
-            };
-            print("normal", solution.evidence.normal);
-            print("tangential", solution.evidence.tangential);
-            print("outer", solution.evidence.outer);
-            print("force", solution.evidence.force);
-            std::printf("\n");
+            print_unconverged(solution);
             continue;
         }
         const std::string faults = contact_faults(problem, solution, {}, 1e-4);

@@ -35,12 +35,6 @@ from contactd.values.hertz import Load, compliance_of, ellipse_of_curvatures
 BALL = Paraboloid(50, 50)
 
 
-@pytest.fixture(scope="module")
-def client():
-    with contactd.local(in_process=True, config={"workers": 1}) as opened:
-        yield opened
-
-
 def ellipse(gap, load, upper=steel, lower=steel):
     compliance = compliance_of((upper.nu, lower.nu), (upper.G, lower.G))
     return ellipse_of_curvatures(0.5 / gap.Rx, 0.5 / gap.Ry, Load(*load, compliance))

@@ -18,12 +18,6 @@ WHEEL = Paraboloid(460, 300)
 FRICTION = Friction(0.3)
 
 
-@pytest.fixture(scope="module")
-def client():
-    with contactd.local(in_process=True, config={"workers": 1}) as opened:
-        yield opened
-
-
 def test_points_are_those_of_single_solves(client):
     rolling = Rolling(velocity=2e4, chi=np.pi)
     curve = client.creep_curve(WHEEL, steel, Fn=80e3, friction=Friction(0.3, rolling=rolling), xi=[5e-4, 2e-3], eta=1e-3, phi=1e-4)

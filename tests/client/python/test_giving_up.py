@@ -1,31 +1,14 @@
 """What a client gives up it cancels, and what it fetches in pieces it puts together."""
 
 import time
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from contactd import AnalyticIcs, Client, Grid, Material, NotFound, ProtocolError, TimeoutExpired, __version__
+from contactd import AnalyticIcs, Grid, Material, NotFound, ProtocolError, TimeoutExpired, __version__
 from support import answers
-from support.fake_server import FakeServer
 
 STEEL = Material(G=82000, nu=0.28)
-
-
-@pytest.fixture
-def fake(tmp_path: Path):
-    started = []
-
-    def start(script):
-        server = FakeServer(tmp_path, script)
-        client = Client(server.endpoint, timeout=5)
-        started.extend([client, server])
-        return server, client
-
-    yield start
-    for part in started:
-        part.__exit__(None, None, None)
 
 
 def cancelled(server):

@@ -11,19 +11,11 @@ from contactd import ArchardWear, EnergyWear, InvalidArgument, WearLaw, WearRequ
 from contactd.wheel_rail import WheelRailSetup
 
 matplotlib.use("Agg")
+pytestmark = pytest.mark.usefixtures("solving_here")
 
 C = 6.75e-4
 SETUP = WheelRailSetup(dx=0.5, dy=0.5)
 STATE = {"y": 3, "yaw": 0.003, "speed": 20e3, "Fz": 80e3}
-
-
-@pytest.fixture(scope="module", autouse=True)
-def solving_here():
-    with pytest.MonkeyPatch.context() as patch:
-        patch.delenv("CONTACTD_ENDPOINT", raising=False)
-        contactd.default_client().close()
-        yield
-        contactd.default_client().close()
 
 
 def solved(*laws, setup=SETUP, **state):

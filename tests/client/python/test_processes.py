@@ -5,7 +5,6 @@ import os
 import pickle
 import sys
 import threading
-from pathlib import Path
 
 import pytest
 import zmq.auth
@@ -32,21 +31,6 @@ GRID, MATERIAL = Grid(3, 2, 1, 1), Material(1, 0)
 
 def serving(request):
     return [request.result({"state": "serving"})]
-
-
-@pytest.fixture
-def fake(tmp_path: Path):
-    started = []
-
-    def start(script):
-        server = FakeServer(tmp_path, script)
-        client = Client(server.endpoint, timeout=5)
-        started.extend([client, server])
-        return server, client
-
-    yield start
-    for part in started:
-        part.__exit__(None, None, None)
 
 
 def test_a_client_used_before_a_fork_is_used_on_both_sides_of_it(fake):

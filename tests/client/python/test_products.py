@@ -27,12 +27,6 @@ LOADS = np.random.default_rng(57).uniform(-1, 1, (3, 5, 7))
 
 
 @pytest.fixture(scope="module")
-def client():
-    with contactd.local(in_process=True, config={"workers": 1}) as opened:
-        yield opened
-
-
-@pytest.fixture(scope="module")
 def table(client):
     return client.get_ic(steel, GRID, AnalyticIcs())
 

@@ -23,15 +23,7 @@ from contactd.wheel_rail import (
 )
 
 matplotlib.use("Agg")
-
-
-@pytest.fixture(scope="module", autouse=True)
-def solving_here():
-    with pytest.MonkeyPatch.context() as patch:
-        patch.delenv("CONTACTD_ENDPOINT", raising=False)
-        contactd.default_client().close()
-        yield
-        contactd.default_client().close()
+pytestmark = pytest.mark.usefixtures("solving_here")
 
 
 def test_it_rolls_on_the_nominal_radius():

@@ -2,6 +2,8 @@
 // from outside: bodies that may differ or be rigid, shifts and rolling, histories, forces, slip laws.
 #pragma once
 
+#include <cstdio>
+
 #include "contact/tangential/friction_law.hpp"
 #include "influence/layered/layered_table.hpp"
 #include "influence/viscoelastic/rolling_table.hpp"
@@ -315,6 +317,20 @@ inline SurfaceState state_before_last(const ContactProblem& problem,
     --std::get<Rolling>(shorter.motion).steps;
     const ContactSolution before = solve(shorter);
     return {before.pressure, before.traction_x, before.traction_y};
+}
+
+/// Prints the solvers that missed their tolerances.
+inline void print_unconverged(const ContactSolution& solution) {
+    std::printf("not converged:");
+    const auto print = [](const char* name, const std::optional<SolverEvidence>& evidence) {
+        if (evidence && !evidence->converged)
+            std::printf(" %s %d %.1e", name, evidence->iterations, evidence->residual);
+    };
+    print("normal", solution.evidence.normal);
+    print("tangential", solution.evidence.tangential);
+    print("outer", solution.evidence.outer);
+    print("force", solution.evidence.force);
+    std::printf("\n");
 }
 
 }  // namespace contactd::test

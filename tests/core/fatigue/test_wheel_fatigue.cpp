@@ -7,8 +7,8 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 #include "contactd/error.hpp"
-#include "contactd/solve_wheel_rail.hpp"
 #include "wheel_rail/manchester.hpp"
+#include "wheel_rail/wheel_rail_cases.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -16,17 +16,6 @@ using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 namespace {
-
-const ManchesterCase& manchester_at(Side side, double y) {
-    for (const ManchesterCase& known : manchester_cases)
-        if (known.side == side && known.y == y) return known;
-    throw InvalidArgument("y", "is in no case");
-}
-
-WheelRailSolution solve(const WheelRailSetup& setup, const WheelRailState& state) {
-    Observer observer;
-    return solve_wheel_rail(setup, state, observer);
-}
 
 WheelRailSetup tired_setup(Side side) {
     WheelRailSetup setup = manchester_setup(side);

@@ -2,8 +2,8 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
-#include <random>
 
+#include "contact/contact_cases.hpp"
 #include "contactd/given_ics.hpp"
 #include "contactd/half_space.hpp"
 #include "influence/half_space_cases.hpp"
@@ -15,16 +15,6 @@ using namespace contactd::test;
 using Catch::Matchers::WithinAbs;
 
 namespace {
-
-using Values = std::vector<double>;
-
-Values random_values(std::size_t n, unsigned seed) {
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    Values values(n);
-    for (double& value : values) value = uniform(generator);
-    return values;
-}
 
 ShiftedTable random_table(int nx, int ny) {
     ShiftedTable table(nx, ny);

@@ -2,8 +2,8 @@
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
-#include <random>
 
+#include "contact/contact_cases.hpp"
 #include "contactd/error.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/subsurface.hpp"
@@ -17,7 +17,6 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-using Values = std::vector<double>;
 using Point = std::array<double, 3>;
 
 std::array<double, 6> stress_at(const SubsurfaceStress& s, std::size_t i) {
@@ -36,14 +35,6 @@ std::array<double, 6> below_element(Axis load, double dx, double dy, const Point
     return stress_at(subsurface_stress(Grid::of_elements(1, 1, dx, dy), unit_traction(load), nu,
                                        std::vector<Point>{point}, observer),
                      0);
-}
-
-Values random_values(std::size_t n, unsigned seed) {
-    std::mt19937 generator(seed);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    Values values(n);
-    for (double& value : values) value = uniform(generator);
-    return values;
 }
 
 std::vector<Point> points_of(const StressBlock& block) {

@@ -7,9 +7,9 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
 #include "contactd/error.hpp"
-#include "contactd/solve_wheel_rail.hpp"
 #include "wear/wear_laws.hpp"
 #include "wheel_rail/manchester.hpp"
+#include "wheel_rail/wheel_rail_cases.hpp"
 
 using namespace contactd;
 using namespace contactd::test;
@@ -22,17 +22,6 @@ namespace {
 struct WornCase {
     double y, pressure_slip, usfd, largest;
 };
-
-const ManchesterCase& manchester_at(Side side, double y) {
-    for (const ManchesterCase& known : manchester_cases)
-        if (known.side == side && known.y == y) return known;
-    throw InvalidArgument("y", "is in no case");
-}
-
-WheelRailSolution solve(const WheelRailSetup& setup, const WheelRailState& state) {
-    Observer observer;
-    return solve_wheel_rail(setup, state, observer);
-}
 
 WheelRailSetup worn_setup(Side side, WearEnergy energy) {
     WheelRailSetup setup = manchester_setup(side);

@@ -3,6 +3,7 @@
 // elements 0.2 x 0.2 mm.
 #pragma once
 
+#include "contactd/error.hpp"
 #include "contactd/wheel_rail_setup.hpp"
 #include "contactd/wheel_rail_state.hpp"
 
@@ -66,5 +67,11 @@ inline const ManchesterCase manchester_cases[] = {
     {Side::right, 21, 10, -0.01126431, 0.024, -4.2436375, -8.2668, -1947, 6235, -5.2821, 721.088, 6.5066, -0.7992, 0.02378, 0.03445, 0.001486, 11440, -1947, -2820, -333.7, 0.03411, 2643, 177, 0},
 };
 // clang-format on
+
+inline const ManchesterCase& manchester_at(Side side, double y) {
+    for (const ManchesterCase& known : manchester_cases)
+        if (known.side == side && known.y == y) return known;
+    throw InvalidArgument("y", "is in no case");
+}
 
 }  // namespace contactd::test

@@ -19,20 +19,6 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-WheelRailSetup frictionless() {
-    WheelRailSetup setup;
-    setup.model = Model::hertz;
-    setup.friction.reset();
-    return setup;
-}
-
-WheelRailState loaded(double y) {
-    WheelRailState state;
-    state.position.y = y;
-    state.Fz = 80e3;
-    return state;
-}
-
 std::string off_tread(const WheelRailSolution& solution) {
     for (const std::string& warning : solution.warnings)
         if (warning.starts_with("The wheel ")) return warning;
@@ -47,10 +33,10 @@ double behind(const std::string& sentence, const std::string& text) {
 }  // namespace
 
 TEST_CASE("A wheel that climbs on its flange is named with Fy/Fz and the height of its tread") {
-    WheelRailSetup setup = frictionless();
+    WheelRailSetup setup = frictionless_hertz();
     setup.side = GENERATE(Side::right, Side::left);
     const double y = GENERATE(7.2, 8.0, 12.0, 18.0);
-    const WheelRailSolution solution = solve(setup, loaded(setup.side == Side::left ? -y : y));
+    const WheelRailSolution solution = solve(setup, loaded_at(setup.side == Side::left ? -y : y));
     REQUIRE(solution.patches.size() == 1);
     const std::string warning = off_tread(solution);
     REQUIRE_THAT(warning, ContainsSubstring("climbs on its flange"));
@@ -64,18 +50,18 @@ TEST_CASE("A wheel that climbs on its flange is named with Fy/Fz and the height 
         if (point.y > whole.evidence.wheel->throat.y + 10) tread.points.push_back(point);
     setup.wheel.shape = tread;
     setup.wheelset.flange_back_position = -70;
-    const auto touches = WheelRailContact(setup).first_contact_height(loaded(setup.side == Side::left ? -y : y));
+    const auto touches = WheelRailContact(setup).first_contact_height(loaded_at(setup.side == Side::left ? -y : y));
     CHECK_THAT(behind(warning, "tread is "), WithinAbs(*touches - solution.z, 0.1));
 }
 
 TEST_CASE("A wheel that runs in its throat, or touches with flange and tread, is not said to climb") {
-    for (const double y : {-6.0, 0.0, 4.0, 5.5, 6.5}) CHECK(off_tread(solve(frictionless(), loaded(y))) == "");
+    for (const double y : {-6.0, 0.0, 4.0, 5.5, 6.5}) CHECK(off_tread(solve(frictionless_hertz(), loaded_at(y))) == "");
 }
 
 TEST_CASE("A wheel that rolls on the end of its tread is named") {
-    WheelRailSetup setup = frictionless();
+    WheelRailSetup setup = frictionless_hertz();
     setup.side = GENERATE(Side::right, Side::left);
-    const WheelRailSolution solution = solve(setup, loaded(setup.side == Side::left ? 50 : -50));
+    const WheelRailSolution solution = solve(setup, loaded_at(setup.side == Side::left ? 50 : -50));
     const std::string warning = off_tread(solution);
     REQUIRE_THAT(warning, ContainsSubstring("rolls on the end of its tread") && ContainsSubstring("Fy/Fz = "));
     // The S1002 ends at y = 60 with z = 1.364 - y/15.
@@ -84,7 +70,7 @@ TEST_CASE("A wheel that rolls on the end of its tread is named") {
 }
 
 TEST_CASE("A state without a force and without a height is refused, and one with a height of zero is solved") {
-    const WheelRailSetup setup = frictionless();
+    const WheelRailSetup setup = frictionless_hertz();
     WheelRailState state;
     const auto refused = Catch::Matchers::Message(
         "state.Fz is missing, and so is position.z; give the vertical force Fz (N), or the height position.z (mm)");

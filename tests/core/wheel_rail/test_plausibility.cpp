@@ -21,26 +21,17 @@ ProfilePoints points_of(const ProfileSpec& profile) {
 
 /// The warnings of a solve under Fz, one behind the other.
 std::string warnings_of(const WheelRailSetup& setup, double y = 0) {
-    WheelRailState state;
-    state.Fz = 80e3;
-    state.position.y = y;
     Observer observer;
     std::string all;
-    for (const std::string& warning : WheelRailContact(setup).solve(state, observer).warnings) all += warning + "\n";
+    for (const std::string& warning : WheelRailContact(setup).solve(loaded_at(y), observer).warnings)
+        all += warning + "\n";
     return all;
-}
-
-WheelRailSetup simplified_setup() {
-    WheelRailSetup setup;
-    setup.model = Model::hertz;
-    setup.friction.reset();
-    return setup;
 }
 
 }  // namespace
 
 TEST_CASE("A usual wheel on a usual rail is warned of nothing, across the track") {
-    WheelRailSetup setup = simplified_setup();
+    WheelRailSetup setup = frictionless_hertz();
     SECTION("by formulae") {}
     SECTION("by points") {
         setup.wheel.shape = points_of(setup.wheel);
@@ -50,7 +41,7 @@ TEST_CASE("A usual wheel on a usual rail is warned of nothing, across the track"
 }
 
 TEST_CASE("Points in inches are warned of") {
-    WheelRailSetup setup = simplified_setup();
+    WheelRailSetup setup = frictionless_hertz();
     setup.track.rail_origin = ProfilePoint{750, 0};
     const auto shrunk = [](const ProfileSpec& profile) {
         ProfilePoints points = points_of(profile);
@@ -70,7 +61,7 @@ TEST_CASE("Points in inches are warned of") {
 }
 
 TEST_CASE("Dense points that are rounded are warned of, until they are smoothed") {
-    WheelRailSetup setup = simplified_setup();
+    WheelRailSetup setup = frictionless_hertz();
     ProfilePoints points;
     for (double y = -36; y <= 36; y += 0.25) points.points.push_back({y, std::round(y * y / 6) / 100});
     setup.rail.shape = points;
@@ -83,7 +74,7 @@ TEST_CASE("Dense points that are rounded are warned of, until they are smoothed"
 }
 
 TEST_CASE("Smoothing that takes away the shape of a profile is warned of") {
-    WheelRailSetup setup = simplified_setup();
+    WheelRailSetup setup = frictionless_hertz();
     ProfilePoints points = points_of(setup.wheel);
     const auto warnings_at = [&](double length) {
         points.smoothing_length = length;
@@ -96,19 +87,19 @@ TEST_CASE("Smoothing that takes away the shape of a profile is warned of") {
 }
 
 TEST_CASE("The back of a flange that lies nowhere on the wheel is warned of") {
-    WheelRailSetup setup = simplified_setup();
+    WheelRailSetup setup = frictionless_hertz();
     setup.wheelset.flange_back_position = -30;
     CHECK_THAT(warnings_of(setup), ContainsSubstring("wheelset.flange_back_position is -30"));
 }
 
 TEST_CASE("A wheel that runs on the tip of its flange is warned of") {
-    WheelRailSetup setup = simplified_setup();
+    WheelRailSetup setup = frictionless_hertz();
     setup.track.rail_origin = ProfilePoint{694, 0};  // as if the gauge were narrower by the width of a flange
     CHECK_THAT(warnings_of(setup), ContainsSubstring("tip or the back of the wheel's flange"));
 }
 
 TEST_CASE("A rail with its gauge side at y > 0 is warned of, until mirror_y turns it") {
-    WheelRailSetup setup = simplified_setup();
+    WheelRailSetup setup = frictionless_hertz();
     ProfilePoints points;
     for (const ProfilePoint& point : points_of({ProfileKind::rail, Rail60E1{GENERATE(1.0 / 40, 1.0 / 20)}}).points)
         points.points.insert(points.points.begin(), {-point.y, point.z});
@@ -131,7 +122,7 @@ TEST_CASE("A rail with its gauge side at y > 0 is warned of, until mirror_y turn
 }
 
 TEST_CASE("A rail that is measured down to the gauge at y > 0 only is warned of") {
-    WheelRailSetup setup = simplified_setup();
+    WheelRailSetup setup = frictionless_hertz();
     setup.track.rail_origin = ProfilePoint{750, 0};
     ProfilePoints points = points_of({ProfileKind::rail, Rail60E1{0}});
     const bool right = GENERATE(true, false);

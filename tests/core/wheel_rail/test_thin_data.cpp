@@ -15,26 +15,12 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-WheelRailState loaded(double y = 0) {
-    WheelRailState state;
-    state.position.y = y;
-    state.Fz = 80e3;
-    return state;
-}
-
-std::string thin_warnings(const WheelRailSetup& setup, const WheelRailState& state = loaded()) {
+std::string thin_warnings(const WheelRailSetup& setup, const WheelRailState& state = loaded_at()) {
     std::string all;
     for (const std::string& warning : solve(setup, state).warnings)
         if (warning.find("apart") != std::string::npos || warning.find("uncertain") != std::string::npos)
             all += warning + "\n";
     return all;
-}
-
-WheelRailSetup simplified() {
-    WheelRailSetup setup;
-    setup.model = Model::hertz;
-    setup.friction.reset();
-    return setup;
 }
 
 WheelRailSetup cylinder() {
@@ -68,7 +54,7 @@ WheelRailSetup sliced(double apart, const Height& height) {
 }  // namespace
 
 TEST_CASE("A rail of few points is warned of, of which the contact lies between two") {
-    WheelRailSetup setup = simplified();
+    WheelRailSetup setup = frictionless_hertz();
     setup.side = GENERATE(Side::left, Side::right);
     setup.track.rail_origin = ProfilePoint{750, 0};
     const ProfileSpec rail = setup.rail;
@@ -80,7 +66,7 @@ TEST_CASE("A rail of few points is warned of, of which the contact lies between 
 }
 
 TEST_CASE("A wheel of few points is warned of where it bends, and not where it is straight") {
-    WheelRailSetup setup = simplified();
+    WheelRailSetup setup = frictionless_hertz();
     setup.wheel.shape = points_of(setup.wheel, 25);
     setup.wheelset.flange_back_position = -70;
     CHECK_THAT(thin_warnings(setup), ContainsSubstring("points of the wheel are 2"));
@@ -119,7 +105,7 @@ TEST_CASE("Coefficients of friction far apart are warned of where a contact lies
     const auto warnings = [&](std::vector<FrictionAtAngle> mu) {
         setup.friction = WheelRailFriction{};
         setup.friction->mu = std::move(mu);
-        WheelRailState state = loaded(7);
+        WheelRailState state = loaded_at(7);
         state.velocity.x = 20e3;
         state.velocity.pitch = -20e3 / 460;
         return thin_warnings(setup, state);
@@ -135,7 +121,7 @@ TEST_CASE("Laws of friction by temperature far apart are warned of where a conta
     const auto warnings = [&](std::vector<TemperatureFrictionAtAngle> laws) {
         setup.friction = WheelRailFriction{};
         setup.friction->temperature_by_angle = std::move(laws);
-        WheelRailState state = loaded(7);
+        WheelRailState state = loaded_at(7);
         state.velocity.x = 20e3;
         state.velocity.pitch = -20e3 / 460;
         return thin_warnings(setup, state);
@@ -152,7 +138,7 @@ TEST_CASE("Rows that take friction by their own angles are warned of by any of t
     WheelRailSetup setup;
     setup.dx = setup.dy = 0.5;
     setup.conformal = Conformal::half_space;
-    WheelRailState state = loaded(5.5);
+    WheelRailState state = loaded_at(5.5);
     state.velocity.x = 20e3;
     state.velocity.pitch = -20e3 / 460;
     setup.friction = WheelRailFriction{};

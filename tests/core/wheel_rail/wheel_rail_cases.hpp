@@ -10,6 +10,22 @@ inline WheelRailSolution solve(const WheelRailSetup& setup, const WheelRailState
     return solve_wheel_rail(setup, state, observer);
 }
 
+/// By Hertz's theory, without friction.
+inline WheelRailSetup frictionless_hertz() {
+    WheelRailSetup setup;
+    setup.model = Model::hertz;
+    setup.friction.reset();
+    return setup;
+}
+
+/// Under 80 kN.
+inline WheelRailState loaded_at(double y = 0) {
+    WheelRailState state;
+    state.position.y = y;
+    state.Fz = 80e3;
+    return state;
+}
+
 /// A cylindrical wheel of 450 mm on a rail with one radius, without friction.
 inline WheelRailSetup cylinder_on_arc(double radius) {
     WheelRailSetup setup;

@@ -11,12 +11,6 @@ from contactd.contact_files.out_file import lines_of, out_text
 from support.contact_hertz import INPUT, MU, printed, write_case
 
 
-@pytest.fixture(scope="module")
-def client():
-    with contactd.local(in_process=True, config={"workers": 1}) as opened:
-        yield opened
-
-
 @pytest.fixture
 def folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)

@@ -7,6 +7,7 @@ import csv
 import pytest
 
 from contactctl.codes import Code
+from support.contact_cases import END, FIRST, SECOND
 
 ROLLING = """\
 grid: {nx: 24, ny: 24, dx: 0.5, dy: 0.42}
@@ -19,25 +20,6 @@ friction: {mu: 0.35, rolling: {xi: 1.1e-3, eta: -7e-4, phi: 1e-4, dq: 0.5}}
 WHEEL = """\
 setup: {dx: 0.7, dy: 0.7}
 state: {Fz: 80e3, position: {y: 3, yaw: 0.002}, velocity: {x: 20e3, pitch: -43.478}}
-"""
-CASES = """\
- 3  MODULE
-  203100
-  022020
- 0001201
-   999  100  30  1  1e-6
- 50000.  0.0005  0.0  0.0001
-   0.3   0.3
-   0.0   0.5   20000.
-   0.28  0.28  82000.  82000.
-    -3
-   15  15  6.0  4.0  1.1
- 3  MODULE
-  203100
-  100000
- 0101201
- 50000.  0.0020  0.0  0.0001
- 0  MODULE
 """
 
 
@@ -103,7 +85,7 @@ def test_without_friction_pressures_are_compared(ctl):
 
 
 def test_a_case_of_an_input_file_is_compared(ctl):
-    ctl.write("two.inp", CASES)
+    ctl.write("two.inp", FIRST + SECOND + END)
     told = ctl("compare", "two.inp", "--case", 1, "--models", "fastsim", "--json").json
     assert told["models"][0]["Fn"] == pytest.approx(50000)
     assert ctl("compare", "two.inp").code == Code.USAGE

@@ -10,28 +10,8 @@ from contactctl.cases.rows import keys_of
 from contactctl.codes import Code
 from contactd import Client
 from contactd.contact_files.profile_files import ProfileFiles
-from support.contact_cases import rail_case
+from support.contact_cases import END, FIRST, SECOND, rail_case
 
-FIRST = """\
- 3  MODULE
-  203100
-  022020
- 0001201
-   999  100  30  1  1e-6
- 50000.  0.0005  0.0  0.0001
-   0.3   0.3
-   0.0   0.5   20000.
-   0.28  0.28  82000.  82000.
-    -3
-   15  15  6.0  4.0  1.1
-"""
-SECOND = """\
- 3  MODULE
-  203100
-  100000
- 0101201
- 50000.  0.0020  0.0  0.0001
-"""
 VISCOUS = """\
  3  MODULE
   202100
@@ -47,7 +27,6 @@ VISCOUS = """\
  0100201
  50000.  0.0020  0.0  0.0001
 """
-END = " 0  MODULE\n"
 TWO = FIRST + SECOND + END
 
 
