@@ -215,7 +215,7 @@ TEST_CASE("an outer loop that is cut short says so", "[dissimilar]") {
     const ContactSolution solution = solve_half_spaces(problem);
     CHECK_FALSE(solution.converged());
     CHECK(std::ranges::any_of(solution.warnings, [](const std::string& warning) {
-        return warning.find("have not settled after 1: bodies of different materials") != std::string::npos;
+        return warning.find("stopped after 1 without convergence. Bodies of different materials") != std::string::npos;
     }));
     problem.settings.outer.max_iterations = 100;
     CHECK(solve_half_spaces(problem).warnings.empty());

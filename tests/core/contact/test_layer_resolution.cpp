@@ -41,7 +41,7 @@ double ratio_of(const ContactSolution& solution, const Layers& body, double elem
 
 bool warns(const ContactSolution& solution) {
     for (const std::string& warning : solution.warnings)
-        if (warning.find("times the thinnest layer") != std::string::npos) return true;
+        if (warning.find("times the thickness of the thinnest layer") != std::string::npos) return true;
     return false;
 }
 
@@ -109,9 +109,9 @@ TEST_CASE("elements under which nothing is left of a layer are refused", "[layer
         CHECK(error.field() == (problem.grid.dx < element ? "grid.dy" : "grid.dx"));
         message = error.what();
     }
-    CHECK_THAT(message, ContainsSubstring(" times the thinnest layer"));
+    CHECK_THAT(message, ContainsSubstring(" times the thickness of the thinnest layer"));
     // It says what would be right.
-    const std::string before = "Take elements of at most ";
+    const std::string before = "Use elements of at most ";
     const double advised = std::stod(message.substr(message.find(before) + before.size()));
     CAPTURE(message);
     CHECK(advised > 0.5);

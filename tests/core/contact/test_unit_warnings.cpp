@@ -69,7 +69,7 @@ TEST_CASE("Creepages in percent and spin in 1/m are warned of", "[contact]") {
     ContactProblem problem = wheels();
     problem.model = GENERATE(Model::full, Model::fastsim);
     problem.motion = Rolling{.xi = 1.5};
-    CHECK(warns_of(solve(problem), "friction.rolling.xi is 1.5: surfaces part by 150 %"));
+    CHECK(warns_of(solve(problem), "friction.rolling.xi is 1.5: the surfaces slide by 150 %"));
     problem.motion = Rolling{.eta = -0.8};
     CHECK(warns_of(solve(problem), "friction.rolling.eta is -0.8"));
     problem.motion = Rolling{.phi = 2};
@@ -83,7 +83,7 @@ TEST_CASE("Creepages of a tenth of a percent's size are warned of at a vehicle's
     ContactProblem problem = wheels();
     problem.model = GENERATE(Model::full, Model::fastsim);
     problem.motion = Rolling{.xi = 0.2, .velocity = 20e3};
-    CHECK(warns_of(solve(problem), "friction.rolling.xi is 0.2: at 20 m/s surfaces slide by 4 m/s"));
+    CHECK(warns_of(solve(problem), "friction.rolling.xi is 0.2: at 20 m/s the surfaces slide at 4 m/s"));
     problem.motion = Rolling{.xi = 0.002, .eta = -0.1, .velocity = 20e3};
     CHECK(warns_of(solve(problem), "friction.rolling.eta is -0.1"));
     // A creep curve, a slow test rig, a slip law that such creepages are there for.
@@ -116,9 +116,9 @@ TEST_CASE("Moduli of steel in Pa, and Young's in place of the shear modulus, are
 
 TEST_CASE("A load in kN leaves a contact that is lost on its grid, which is said", "[contact]") {
     ContactProblem problem = wheels();
-    CHECK_FALSE(warns_of(solve(problem), "check the units"));
+    CHECK_FALSE(warns_of(solve(problem), "Check the units"));
     problem.Fn = 80;
-    CHECK(warns_of(solve(problem), "check the units of forces, lengths and moduli"));
+    CHECK(warns_of(solve(problem), "Check the units of forces, lengths and moduli"));
 }
 
 TEST_CASE("A coefficient of friction at speed in percent is warned of", "[contact]") {

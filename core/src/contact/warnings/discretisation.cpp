@@ -14,18 +14,18 @@
 namespace contactd {
 namespace {
 
-// Where warnings begin, by the tables of docs/contact.md (bench/discretisation.py). At 8 elements across the force of
-// an ellipse is off by up to 0.7 % and pmax by up to 1.3 %.
+// Thresholds of the warnings, from the tables of docs/contact.md (bench/discretisation.py). At 8 elements across an
+// ellipse, the error of the force is at most 0.7 %, and that of pmax at most 1.3 %.
 constexpr int fewest_elements = 8;
 constexpr double longest_step = 3;      // elements along the rolling direction
 constexpr double longest_part = 0.1;    // of the contact's length there
 constexpr double rounding = 1e-9;       // relative, of lengths
-constexpr double certain_error = 1;     // where nothing is known any more
-constexpr double force_factor = 0.4;    // over the square of the elements across, less one
-constexpr double pmax_factor = 0.8;     // the same
-constexpr double rolling_factor = 0.8;  // of dq and of an element over the size of the contact
+constexpr double certain_error = 1;     // upper limit of the estimates
+constexpr double force_factor = 0.4;    // divided by the square of the elements across minus one
+constexpr double pmax_factor = 0.8;     // divided by the same square
+constexpr double rolling_factor = 0.8;  // times dq and the element size, relative to the size of the contact
 
-/// Elements in the longest unbroken row and column of the contact: its own size, however many contacts there are.
+/// Number of elements in the longest unbroken row and column: the size of one contact, even if there are several.
 struct ContactSize {
     int along_x = 0, along_y = 0;
 };
@@ -48,7 +48,7 @@ ContactSize contact_size(const Grid& grid, std::span<const double> pressure) {
     return {longest_run(pressure, ny, nx, nx, 1), longest_run(pressure, nx, 1, ny, nx)};
 }
 
-// A contact that reaches from border to border, as line contacts do, says nothing of the elements in that direction.
+// A contact that extends from border to border, such as a line contact, does not count in that direction.
 int elements_across(const Grid& grid, const ContactSize& size) {
     const bool ends_x = size.along_x < grid.nx, ends_y = size.along_y < grid.ny;
     if (ends_x && ends_y) return std::min(size.along_x, size.along_y);
@@ -57,7 +57,7 @@ int elements_across(const Grid& grid, const ContactSize& size) {
     return std::max(size.along_x, size.along_y);
 }
 
-/// A length is 0, for unknown, in a direction in which the contact fills the grid.
+/// Returns the lengths of the contact, with 0 for an unknown length where the contact fills the grid.
 PatchSize lengths_of(const Grid& grid, const ContactSize& size) {
     return {size.along_x < grid.nx ? size.along_x * grid.dx : 0, size.along_y < grid.ny ? size.along_y * grid.dy : 0};
 }
@@ -66,7 +66,7 @@ const Rolling* rolling_of(const ContactSolution& solution) {
     return solution.motion ? std::get_if<Rolling>(&*solution.motion) : nullptr;
 }
 
-/// Along the rolling direction (mm).
+/// Lengths along the rolling direction (mm).
 struct RollingLengths {
     double step, element, contact;
 
@@ -76,7 +76,7 @@ struct RollingLengths {
           contact(size_along(rolling.chi, size.along_x * grid.dx, size.along_y * grid.dy)) {}
 };
 
-// Returns the error of the force under a small creepage, where everything adheres.
+// Returns the error of the force at a small creepage, where all elements adhere.
 double rolling_error(const RollingLengths& along, int across) {
     return rolling_factor * (1.0 / across + along.step / along.contact);
 }
@@ -88,7 +88,7 @@ bool are_half_spaces(const Bodies& bodies) {
     return true;
 }
 
-/// The whole ellipse under the approach of the solution, where Hertz's theory holds.
+/// Returns Hertz's contact at the approach of the solution, or nothing where Hertz's theory does not hold.
 std::optional<HertzContact> hertz_of(const ContactProblem& problem, const ContactSolution& solution, bool coupled) {
     if (!are_half_spaces(problem.bodies) || problem.bodies.any_viscoelastic() || coupled ||
         solution.elements.border > 0 || !(solution.approach > 0))
@@ -98,7 +98,7 @@ std::optional<HertzContact> hertz_of(const ContactProblem& problem, const Contac
     if (!paraboloid || !is_curved(paraboloid->Rx) || !is_curved(paraboloid->Ry)) return {};
     const HertzContact hertz =
         hertz_of_approach(*paraboloid, problem.bodies.materials().normal_compliance(), solution.approach);
-    if (!(hertz.Fn > 0 && hertz.pmax > 0)) return {};  // they underflow
+    if (!(hertz.Fn > 0 && hertz.pmax > 0)) return {};  // Both underflow for tiny approaches.
     return hertz;
 }
 
@@ -118,12 +118,13 @@ void warn_of_missed_contact(const ContactProblem& problem, const ContactSolution
     warnings.push_back(
         "The bodies overlap by " + number_text(solution.approach) +
         " mm at the origin, but no element has its centre in the contact: " +
-        (has_origin ? "the contact is narrower than the elements." : "it lies beyond the potential contact area.") +
-        " This solution carries nothing.");
+        (has_origin ? "the contact is narrower than the elements." : "it lies outside the potential contact area.") +
+        " All forces of this solution are zero.");
 }
 
-/// Grids are chosen for the contact that is expected: one that is far smaller on both sides has a load, a radius or a
-/// modulus in another unit. Rough surfaces have many small contacts, and together more elements.
+/// Users choose the grid for the contact that they expect. If the contact is far smaller along both axes, a load, a
+/// radius or a modulus is probably in another unit. Rough surfaces have many small contacts with more elements in
+/// total.
 bool is_lost_on(const Grid& grid, const ContactSolution& solution) {
     constexpr int part = 8;
     const ContactSize size = contact_size(grid, solution.pressure);
@@ -139,16 +140,16 @@ void warn_of_few_elements(const ContactProblem& problem, const ContactSolution& 
     const char* about = evidence.source == ErrorSource::hertz ? "" : "up to about ";
     warnings.push_back("The contact is " + std::to_string(across) + (across == 1 ? " element" : " elements") +
                        " across, fewer than " + std::to_string(fewest_elements) +
-                       ": the normal force for the approach is off by " + about + percent(evidence.force_error) +
-                       " and the largest pressure by " + percent(evidence.pmax_error) +
-                       "; smaller elements are better." +
+                       ". The error of the normal force for the approach is " + about + percent(evidence.force_error) +
+                       ", and that of the largest pressure is " + about + percent(evidence.pmax_error) +
+                       ". Use smaller elements." +
                        (is_lost_on(problem.grid, solution)
-                            ? " The contact is a small part of the potential contact area on both sides: check the "
+                            ? " The contact is much smaller than the potential contact area along both axes. Check the "
                               "units of forces, lengths and moduli."
                             : ""));
 }
 
-/// The heights of a rough surface are too thin where most of its contacts are an element or two, however large one is.
+/// Warns of a rough surface whose typical contact has too few elements, even if one contact is large.
 void warn_of_small_contacts(const ContactProblem& problem, const ContactSolution& solution,
                             std::vector<std::string>& warnings) {
     constexpr std::size_t many = 10, fewest = 9;
@@ -156,9 +157,10 @@ void warn_of_small_contacts(const ContactProblem& problem, const ContactSolution
     if (solution.evidence.discretisation->elements_across < fewest_elements) return;
     const SeparateContacts contacts = separate_contacts(problem.grid, solution.pressure);
     if (contacts.count < many || contacts.typical >= fewest) return;
-    warnings.push_back("The gap makes " + std::to_string(contacts.count) + " separate contacts, most of them of " +
-                       std::to_string(contacts.typical) + (contacts.typical == 1 ? " element" : " elements") +
-                       " or fewer, where 3 by 3 are the least that tells their pressures: give heights at shorter "
+    warnings.push_back("The gap produces " + std::to_string(contacts.count) +
+                       " separate contacts, most of them with at most " + std::to_string(contacts.typical) +
+                       (contacts.typical == 1 ? " element" : " elements") +
+                       ". The pressure of a contact requires at least 3 by 3 elements. Give heights at shorter "
                        "distances, with smaller elements.");
 }
 
@@ -168,17 +170,17 @@ void warn_of_long_step(const ContactProblem& problem, const ContactSolution& sol
     if (rolling == nullptr) return;
     const RollingLengths along(*rolling, problem.grid, contact_size(problem.grid, solution.pressure));
     const double step = along.step * (1 + rounding);
-    // Not of the default, which the grid is to blame for.
+    // The default step is the size of an element, so the warning about few elements covers it.
     if (along.step <= along.element * (1 + rounding)) return;
     if (step < longest_step * along.element && step < longest_part * along.contact) return;
     const double error = *solution.evidence.discretisation->rolling_error;
     warnings.push_back(
         "friction.rolling.dq is " + number_text(along.step) + " mm, " + short_text(along.step / along.element) +
         " elements and " + short_text(along.step / along.contact) +
-        " of the contact's length along the rolling direction: the tangential force under small "
-        "creepages is off by about " +
-        percent(error) + ". Leave it out, which takes the size of an element, " + short_text(along.element) +
-        " mm; what a time step rolls takes several steps of transient rolling.");
+        " of the contact's length along the rolling direction. The error of the tangential force at small creepages "
+        "is about " +
+        percent(error) + ". Omit dq to use the size of an element, " + short_text(along.element) +
+        " mm. Divide a longer time step into several steps of transient rolling.");
 }
 
 }  // namespace
@@ -190,7 +192,7 @@ std::optional<Discretisation> discretisation(const ContactProblem& problem, cons
     Discretisation evidence;
     evidence.elements_across = elements_across(problem.grid, size);
     if (const auto hertz = hertz_of(problem, solution, coupled)) {
-        // Under the prescribed load, of which the approach may have been found.
+        // A prescribed force determines pmax, even though the solve found the approach.
         const double compliance = problem.bodies.materials().normal_compliance();
         const double pmax =
             problem.Fn ? hertz_of_force(*paraboloid_of(problem), compliance, *problem.Fn).pmax : hertz->pmax;
@@ -198,7 +200,7 @@ std::optional<Discretisation> discretisation(const ContactProblem& problem, cons
         evidence.force_error = std::abs(solution.forces.Fn / hertz->Fn - 1);
         evidence.pmax_error = std::abs(solution.pmax / pmax - 1);
     } else {
-        // One less, because an element more or less in contact is not felt by a coarse grid.
+        // One less, because a coarse grid cannot resolve one element more or less in contact.
         const double intervals = std::max(evidence.elements_across - 1, 0);
         const auto error = [&](double factor) { return std::min(factor / (intervals * intervals), certain_error); };
         evidence.force_error = error(force_factor);

@@ -1,4 +1,4 @@
-// How finely the elements divide a contact, what that costs, and when to say so.
+// Error estimates and warnings for the number of elements in a contact and for the rolling step.
 #pragma once
 
 #include <optional>
@@ -9,13 +9,13 @@
 
 namespace contactd {
 
-/// Estimates the errors of a solution by boundary elements, which has its pressures and sums; nothing without contact.
-/// `coupled`: pressures depend on tangential tractions too, so that Hertz's theory does not hold. Throws
-/// InvalidArgument where the elements are so wide beside a layer that the solution says nothing of it.
+/// Estimates the discretisation errors of a boundary-element solution with its pressures and sums. Returns nothing
+/// without contact. `coupled` means that pressures also depend on tangential tractions, so Hertz's theory does not
+/// hold. Throws InvalidArgument if the elements are too wide to resolve a layer.
 std::optional<Discretisation> discretisation(const ContactProblem& problem, const ContactSolution& solution,
                                              bool coupled);
 
-/// Sentences about elements or a step that are too large for the contact; mostly none.
+/// Returns warnings about elements or a step that are too large for the contact.
 std::vector<std::string> discretisation_warnings(const ContactProblem& problem, const ContactSolution& solution);
 
 }  // namespace contactd

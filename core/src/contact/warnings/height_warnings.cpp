@@ -10,8 +10,8 @@
 namespace contactd {
 namespace {
 
-/// Rises from element to element of a distance that is given: how many there are, how many are steeper than 45 degrees,
-/// and the sum of their squares.
+/// Slopes of a given gap between neighbouring elements: their number, the number steeper than 45 degrees, and the sum
+/// of their squares.
 struct Rises {
     std::size_t count = 0, steep = 0;
     double squares = 0;
@@ -19,7 +19,7 @@ struct Rises {
     double mean() const { return count == 0 ? 0 : std::sqrt(squares / static_cast<double>(count)); }
 };
 
-/// Elements that are excluded by a large distance do not count.
+/// Computes the slopes, without elements that are excluded by a large distance.
 Rises rises_of(const Grid& grid, const std::vector<double>& heights) {
     const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
     const double excluded = 1e3 * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
@@ -41,19 +41,18 @@ Rises rises_of(const Grid& grid, const std::vector<double>& heights) {
 }  // namespace
 
 std::vector<std::string> height_warnings(const ContactProblem& problem, const ContactSolution& solution) {
-    constexpr double flattest = 5e-4;   // roughness has 0.01 to 0.5, bodies that touch have 1e-3 and more
-    constexpr double rounding = 1e-12;  // of surfaces that are flat
+    constexpr double flattest = 5e-4;   // Roughness has slopes of 0.01 to 0.5, and bodies in contact at least 1e-3.
+    constexpr double rounding = 1e-12;  // slope of a flat surface, from rounding
     const auto* heights = problem.gap ? std::get_if<std::vector<double>>(&*problem.gap) : nullptr;
     if (heights == nullptr) return {};
     const Rises rises = rises_of(problem.grid, *heights);
-    const std::string mean = plain_text(rises.mean()) + " mm a mm (root mean square)";
+    const std::string mean = plain_text(rises.mean()) + " mm per mm (root mean square)";
     if (2 * rises.steep > rises.count)
         return {"gap rises by more than 45 degrees between most of its elements, by " + mean +
                 ". Give heights in mm, not in micrometres."};
     if (rises.mean() > rounding && rises.mean() < flattest &&
         static_cast<std::size_t>(solution.elements.contact) == heights->size())
-        return {"gap rises by " + mean +
-                " only, and is pressed flat as a whole: all elements are in contact. Give heights in mm, not in m."};
+        return {"gap rises by only " + mean + ", and all elements are in contact. Give heights in mm, not in m."};
     return {};
 }
 

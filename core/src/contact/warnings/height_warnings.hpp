@@ -1,4 +1,4 @@
-// Heights of surfaces that are probably in micrometres or in metres.
+// Warnings about surface heights that are probably in micrometres or in metres.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace contactd {
 
-/// A sentence about a gap by elements that is steeper than 45 degrees nearly everywhere, as in micrometres, or that is
-/// nearly flat and pressed flat as a whole, as in metres.
+/// Returns a warning about a gap, given for each element, that is steeper than 45 degrees nearly everywhere (heights in
+/// micrometres), or nearly flat and in contact as a whole (heights in metres).
 std::vector<std::string> height_warnings(const ContactProblem& problem, const ContactSolution& solution);
 
 }  // namespace contactd

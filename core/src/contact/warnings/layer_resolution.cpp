@@ -17,16 +17,17 @@ namespace {
 using std::numbers::pi;
 
 constexpr double noticed_error = 0.01;
-constexpr double lost_factor = 2;  // of the compliance, either way
-/// A contact of fewer elements is warned of anyhow, and its waves are too short to be judged by.
+constexpr double lost_factor = 2;  // of the compliance, too large or too small
+/// Another warning covers contacts with fewer elements, whose waves are too short for this estimate.
 constexpr double fewest_elements = 8;
-/// To a wave, elements add others with m more periods an element. From m of twice the element over the layer on they
-/// feel the layer's material only, and hardly count.
+/// Elements add waves to a wave, with m more periods per element. If m exceeds twice the element size over the layer
+/// thickness, only the material of the layer affects them, and their contribution is negligible.
 constexpr int fewest_waves = 12, most_waves = 256;
-/// An element no wider than half of the first layer adds waves that feel nothing below it. They err by 0.3 % at most.
+/// If an element is at most half as wide as the first layer is thick, the material below does not affect the waves that
+/// it adds. Their error is at most 0.3 %.
 constexpr double fine = 0.5;
 
-/// One body's compliance along z to a wave of wavenumber k (1/mm), in mm^3/N.
+/// Computes the compliance of one body along z (mm^3/N) to a wave of wavenumber k (1/mm).
 class BodyWaves {
    public:
     explicit BodyWaves(const Body& body) {
@@ -44,7 +45,7 @@ class BodyWaves {
     double at(double k) const { return (waves_ ? waves_->at(k).c : deep_) * over_G_ / k; }
     double half_space(double k) const { return deep_ * over_G_ / k; }
 
-    /// Share of a wave in the tractions of elements of this length, k along it.
+    /// Returns the share of a wave, with k along the element, in the tractions of elements of this length.
     double share(double k, double length) const {
         const double half = k * length / 2, uniform = half == 0 ? 1 : std::sin(half) / half;
         return is_bilinear_ ? uniform * uniform : uniform;
@@ -56,17 +57,17 @@ class BodyWaves {
     bool is_bilinear_ = false;
 };
 
-/// Wavenumbers along an axis and across it, and the element's length along it.
+/// Wavenumbers along and across an axis, and the length of the element along it.
 struct WaveAlong {
     double k, across, element;
 };
 
-/// Displacements at elements' centres from what elements add to a wave.
+/// Returns the displacements at element centres from the waves that elements add to a wave.
 double added(const BodyWaves& body, const WaveAlong& along, int waves, const auto& compliance) {
     if (along.k == 0) return 0;
     double sum = 0;
     for (int m = 1; m <= waves; ++m) {
-        // The mean of the last two sums, since terms alternate, and hardly fall where layers are thin.
+        // Takes the mean of the last two sums, because the terms alternate and fall slowly for thin layers.
         const double weight = m < waves ? 1 : 0.5;
         for (const int sign : {-1, 1}) {
             const double k = along.k + sign * 2 * pi * m / along.element;
@@ -86,7 +87,7 @@ double thinnest(const Bodies& bodies) {
 }
 
 double ratio_of(const Bodies& bodies, const PatchSize& contact, double dx, double dy) {
-    // A contact that goes on from border to border has no wave there; it is one along the other direction.
+    // A contact that extends from border to border has no wave in that direction, but only in the other one.
     const auto wavenumber = [](double length, double element) {
         return length > 0 ? 4 / std::max(length, fewest_elements * element) : 0;
     };
@@ -100,7 +101,7 @@ double ratio_of(const Bodies& bodies, const PatchSize& contact, double dx, doubl
     for (const Body* side : {&bodies.upper, &bodies.lower}) {
         const BodyWaves body(*side);
         const double share_x = body.share(kx, dx), share_y = body.share(ky, dy);
-        // Waves that are short along both axes are left out: they are smaller still.
+        // Waves that are short along both axes are even smaller, and are neglected.
         const auto seen_of = [&](const auto& compliance, int along_x, int along_y) {
             return share_x * share_y * compliance(k) + share_y * added(body, {kx, ky, dx}, along_x, compliance) +
                    share_x * added(body, {ky, kx, dy}, along_y, compliance);
@@ -113,8 +114,8 @@ double ratio_of(const Bodies& bodies, const PatchSize& contact, double dx, doubl
         seen_deep += seen_of(half_space, fewest_waves, fewest_waves);
     }
     if (!(truth > 0)) return 1;
-    // Elements hold the mean of a wave: a half-space yields less by that, at any grid, and a foundation of springs does
-    // not. So what lies between the ratio as it is and that without a half-space's share is no error of layers.
+    // Elements carry the mean of a wave, which reduces the deflection of a half-space on any grid, but not that of a
+    // foundation of springs. A ratio between this one and the one corrected for a half-space is no error of layers.
     const double ratio = seen / truth, without_grid = ratio + (1 - seen_deep / deep);
     return ratio > 1 ? ratio : std::min(without_grid, 1.0);
 }
@@ -128,7 +129,7 @@ bool are_fine(const ContactSetup& setup) {
     return is_fine(setup.bodies.upper) && is_fine(setup.bodies.lower);
 }
 
-/// The largest error of these elements, and of some that are up to half as wide.
+/// Returns the largest error of these elements and of elements down to half their width.
 double largest_error(const Bodies& bodies, const PatchSize& contact, double dx, double dy) {
     double largest = 0;
     for (const double part : {1.0, std::numbers::sqrt2 / 2, 0.5})
@@ -136,7 +137,7 @@ double largest_error(const Bodies& bodies, const PatchSize& contact, double dx, 
     return largest;
 }
 
-/// Returns the size of square elements that resolve the layers to 1 %, in a contact that is as wide as it is long.
+/// Returns the size of square elements that resolve the layers to 1 % in a contact of equal length and width.
 double resolving_element(const ContactSetup& setup, const PatchSize& contact) {
     const double length = std::max(contact.along_x, contact.along_y);
     double element = std::max(setup.grid.dx, setup.grid.dy);
@@ -149,8 +150,9 @@ std::string advice(const ContactSetup& setup, const PatchSize& contact) {
     const Grid& grid = setup.grid;
     const double element = std::max(grid.dx, grid.dy);
     return "Elements are " + number_text(element) + " mm wide, " + short_text(element / thinnest(setup.bodies)) +
-           " times the thinnest layer: pressures that are uniform over one squeeze a layer that is hardly "
-           "compressible at its rim only, so that its compliance is off. Take elements of at most " +
+           " times the thickness of the thinnest layer. A uniform pressure on such an element deforms a nearly "
+           "incompressible layer only at the element's rim, so the computed compliance is wrong. Use elements of at "
+           "most " +
            short_text(resolving_element(setup, contact)) + " mm";
 }
 
@@ -183,8 +185,9 @@ std::optional<std::string> layer_warning(const ContactSetup& setup, const PatchS
     if (error < noticed_error) return {};
     std::array<char, 32> percent{};
     std::snprintf(percent.data(), percent.size(), "%.2g %%", 100 * error);
-    return advice(setup, contact) + ": the normal force for the approach and the largest pressure are off by about " +
-           percent.data() + ".";
+    return advice(setup, contact) +
+           ". The error of the normal force for the approach, and of the largest pressure, is about " + percent.data() +
+           ".";
 }
 
 void require_layers_resolved(const ContactSetup& setup, const PatchSize& contact) {

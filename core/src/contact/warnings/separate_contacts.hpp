@@ -1,4 +1,4 @@
-// Contacts of rough surfaces, which have many of them.
+// Separate contacts of rough surfaces.
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@ namespace contactd {
 
 struct SeparateContacts {
     std::size_t count = 0;
-    std::size_t typical = 0;  ///< elements of the median one
+    std::size_t typical = 0;  ///< median of their numbers of elements
 };
 
-/// Counts the contacts: elements with pressure that have a side or a corner in common are of one.
+/// Counts the contacts. Elements with pressure that share a side or a corner belong to the same contact.
 SeparateContacts separate_contacts(const Grid& grid, std::span<const double> pressure);
 
 }  // namespace contactd

@@ -13,8 +13,8 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-/// Returns the slip velocity of the last step (mm/s); its slip is relative already where it rolls. Models without slip
-/// in the elements take friction at the velocity of the creepage.
+/// Returns the largest slip velocity of the last step (mm/s). In rolling, slip is relative. Models without slip in the
+/// elements use the velocity of the creepage.
 double largest_slip_velocity(const Motion& motion, const ContactSolution& solution) {
     double slip = 0;
     for (std::size_t i = 0; i < solution.slip_x.size(); ++i)
@@ -25,7 +25,7 @@ double largest_slip_velocity(const Motion& motion, const ContactSolution& soluti
     return slip * rolling->velocity;
 }
 
-/// Rolling as slow as that of a vehicle whose speed is in m/s or km/h.
+/// Returns whether rolling is so slow that the velocity is probably in m/s or km/h.
 bool rolls_slowly(const ContactProblem& problem) {
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     return rolling != nullptr && rolling->velocity < slowest_vehicle;
@@ -33,7 +33,7 @@ bool rolls_slowly(const ContactProblem& problem) {
 
 void warn_of_friction_that_never_falls(const ContactProblem& problem, const ContactSolution& solution,
                                        Sentences& warnings) {
-    // Part of the slip velocity in the law, below which rolling was probably meant to be faster.
+    // The fraction of the law's slip velocity below which a faster motion was probably intended.
     const double hardly_any = rolls_slowly(problem) ? 0.02 : 1e-3;
     if (!problem.friction || !problem.friction->kinetic || solution.elements.slip == 0) return;
     const double largest = largest_slip_velocity(solution.motion.value_or(problem.motion), solution);
@@ -44,8 +44,8 @@ void warn_of_friction_that_never_falls(const ContactProblem& problem, const Cont
     warnings.push_back(
         std::string("Friction hardly falls: the ") +
         (of_creepage ? "velocity of the creepage (xi, eta)" : "largest slip velocity") + " is " + short_text(largest) +
-        " mm/s, and friction.kinetic.slip_velocity is " + number_text(in_law) + " mm/s. Slip velocities follow from " +
-        (rolls ? "friction.rolling.velocity (mm/s)" : "friction.duration (s)") + ", which is 1 where it is left out.");
+        " mm/s, but friction.kinetic.slip_velocity is " + number_text(in_law) + " mm/s. Slip velocities follow from " +
+        (rolls ? "friction.rolling.velocity (mm/s)" : "friction.duration (s)") + ", which is 1 by default.");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Rolling that is too slow for what it is solved with, as if its velocity were in m/s.
+// Warnings about rolling that is too slow for its friction law, as with a velocity in m/s.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// A sentence about friction that hardly falls with the slip velocity.
+/// Returns a warning about friction that hardly falls with the slip velocity.
 std::vector<std::string> slow_rolling_warnings(const ContactProblem& problem, const ContactSolution& solution);
 
 }  // namespace contactd

@@ -11,9 +11,10 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int products = 20;  // of the power iteration, whose error falls to less than a tenth
+constexpr int products = 20;  // of the power iteration, for an error below a tenth
 
-/// The largest compliance to tangential tractions on the elements in contact (mm^3/N), from below, by power iteration.
+/// Returns a lower bound of the largest compliance to tangential tractions on the elements in contact (mm^3/N), by
+/// power iteration.
 double largest_compliance(const InfluenceOperator& influence, const ContactSolution& solution,
                           const Observer& observer) {
     const std::size_t n = solution.pressure.size();
@@ -44,13 +45,13 @@ bool is_steady(const ContactProblem& problem) {
     return rolling != nullptr && rolling->steady();
 }
 
-/// Slip velocity per slip in the arrays of the solution, which of rolling is relative.
+/// Returns the slip velocity per slip in the arrays of the solution, which is relative in rolling.
 double velocity_per_slip(const ContactProblem& problem) {
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
     return rolling != nullptr ? rolling->velocity : 1 / std::get<Shift>(problem.motion).duration;
 }
 
-/// The largest slope of the traction bound over the slip velocity where elements slip (N s/mm^3).
+/// Returns the steepest fall of the traction bound with the slip velocity where elements slip (N s/mm^3).
 double largest_fall(const ContactProblem& problem, const ContactSolution& solution) {
     const KineticFriction& kinetic = *problem.friction->kinetic;
     const double to_velocity = velocity_per_slip(problem);
@@ -65,7 +66,7 @@ double largest_fall(const ContactProblem& problem, const ContactSolution& soluti
     return largest;
 }
 
-/// Compliance to slip over the distance rolled, whatever the step (mm^2/N): 2 (1 - nu)/G of two equal half-spaces.
+/// Returns the compliance to slip per distance rolled (mm^2/N), for any step: 2 (1 - nu)/G for two equal half-spaces.
 double rolling_compliance(const Bodies& bodies) {
     double sum = 0;
     for (const Body* body : {&bodies.upper, &bodies.lower}) {
@@ -99,14 +100,15 @@ std::vector<std::string> friction_warnings(const ContactProblem& problem, const 
     std::vector<std::string> warnings;
     if (!problem.friction || problem.model != Model::full) return warnings;
     if (const auto& outer = solution.evidence.outer; outer && !outer->converged && influence.coupled())
-        warnings.push_back("The outer iterations between pressures and tractions have not settled after " +
+        warnings.push_back("The outer iterations between pressures and tractions stopped after " +
                            std::to_string(outer->iterations) +
-                           ": bodies of different materials may have several answers where a step is not steady. Try "
-                           "a shorter step or smaller elements.");
+                           " without convergence. Bodies of different materials may have several solutions in a step "
+                           "that is not steady. Try a shorter step or smaller elements.");
     if (const double gain = loop_gain(problem, influence, solution, observer); gain > 1)
-        warnings.push_back("Friction may have several answers here: what falls feeds back on the slip with a gain of " +
-                           short_text(gain) +
-                           ", where below 1 there is one. Take friction.kinetic.memory, or less softening.");
+        warnings.push_back(
+            "Several solutions are possible: falling friction or softening feeds back on the slip with a gain of " +
+            short_text(gain) +
+            ", and the solution is unique only below 1. Set friction.kinetic.memory, or reduce the softening.");
     const auto& kinetic = problem.friction->kinetic;
     if (!kinetic || !kinetic->memory) return warnings;
     const auto* rolling = std::get_if<Rolling>(&problem.motion);
@@ -115,10 +117,10 @@ std::vector<std::string> friction_warnings(const ContactProblem& problem, const 
     for (std::size_t i = 0; i < solution.slip_x.size(); ++i)
         longest = std::max(longest, unit * std::hypot(solution.slip_x[i], solution.slip_y[i]));
     if (longest > kinetic->memory->distance)
-        warnings.push_back("Particles slip up to " + short_text(longest) +
-                           " mm in a step, farther than the distance of friction.kinetic.memory, " +
+        warnings.push_back("Particles slip by up to " + short_text(longest) +
+                           " mm in a step, more than the distance of friction.kinetic.memory, " +
                            number_text(kinetic->memory->distance) +
-                           " mm: what they remember is not resolved. Take smaller elements or a shorter step.");
+                           " mm. The step does not resolve the memory. Use smaller elements or a shorter step.");
     return warnings;
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 using Sentences = std::vector<std::string>;
 
-/// Somebody who has slip over a time step, in mm, gets a number that is far from small.
+/// Warns of rigid slip above 1 in rolling, which is probably a length in mm.
 void warn_of_rigid_slip_that_is_no_creepage(const ContactProblem& problem, Sentences& warnings) {
     if (!problem.friction || !std::holds_alternative<Rolling>(problem.motion)) return;
     double largest = 0;
@@ -27,14 +27,14 @@ void warn_of_rigid_slip_that_is_no_creepage(const ContactProblem& problem, Sente
         largest = std::max(largest, std::hypot(problem.rigid_slip.x[i], problem.rigid_slip.y[i]));
     if (largest <= 1) return;
     warnings.push_back("friction.rigid_slip is up to " + short_text(largest) +
-                       ", more than the bodies roll: of rolling it is slip over the distance rolled, as "
-                       "creepages are, and not in mm.");
+                       ", so the bodies slip farther than they roll. In rolling, give rigid slip per distance rolled, "
+                       "like creepages, not in mm.");
 }
 
-constexpr double largest_strain = 0.1;  // of shear: beyond it strains are no longer small
+constexpr double largest_strain = 0.1;  // of shear, for linear elasticity
 
-/// Loads, radii and moduli in different units lead to pressures that no body carries. Thin layers that can hardly be
-/// compressed bear more than that under small strains, and are left out.
+/// Warns of pressures that no elastic body carries, which follow from loads, radii and moduli in different units. Thin,
+/// nearly incompressible layers are excluded, because they carry such pressures at small strains.
 void warn_of_pressures_beyond_elasticity(const ContactProblem& problem, const ContactSolution& solution,
                                          Sentences& warnings) {
     if (problem.bodies.pair || problem.bodies.any_layered() || !(solution.pmax > 0)) return;
@@ -44,11 +44,11 @@ void warn_of_pressures_beyond_elasticity(const ContactProblem& problem, const Co
     if (!(solution.pmax > largest_strain * softest)) return;
     warnings.push_back("The largest pressure, " + short_text(solution.pmax) +
                        " N/mm^2, is more than a tenth of the shear modulus, " + short_text(softest) +
-                       " N/mm^2, where strains are not small and nothing is linear elastic: check the units "
-                       "of forces, lengths and moduli.");
+                       " N/mm^2. Linear elasticity does not hold for such strains. Check the units of forces, lengths "
+                       "and moduli.");
 }
 
-/// Crystals without a fault yield at a tenth of their shear modulus or more; what is said to be stronger is in Pa.
+/// Warns of strengths above a tenth of the shear modulus, where even perfect crystals yield. They are probably in Pa.
 void warn_of_strengths_beyond_elasticity(const ContactProblem& problem, Sentences& warnings) {
     double stiffest = 0;
     for (const Body* body : {&problem.bodies.upper, &problem.bodies.lower})
@@ -57,7 +57,7 @@ void warn_of_strengths_beyond_elasticity(const ContactProblem& problem, Sentence
     const auto warn_of = [&](const std::string& field, double strength) {
         if (!std::isfinite(strength) || strength <= largest_strain * stiffest) return;
         warnings.push_back(field + " is " + short_text(strength) + " N/mm^2, more than a tenth of the shear modulus, " +
-                           short_text(stiffest) + " N/mm^2, which nothing bears: it is in N/mm^2, not in Pa.");
+                           short_text(stiffest) + " N/mm^2. No material is that strong. Give it in N/mm^2, not in Pa.");
     };
     if (problem.friction && problem.friction->layer)
         warn_of("friction.layer.yield_stress", problem.friction->layer->yield_stress);
@@ -77,8 +77,9 @@ void warn_of_friction_in_percent(const ContactProblem& problem, Sentences& warni
 
 constexpr double largest_of_vehicles = 0.05;
 
-/// Slides everywhere at the speed of a vehicle, without anything that would change by so much sliding: neither heat nor
-/// friction that falls. Forces are not prescribed, and creepages so small in percent would leave adhesion.
+/// Returns whether a vehicle's contact slides everywhere, and the problem contains nothing that depends on the amount
+/// of sliding, such as heat or falling friction. Forces are not prescribed. If the creepages were in percent, the
+/// correct ones would leave an adhesion area.
 bool slides_as_a_vehicle_never_does(const ContactProblem& problem, const Rolling& rolling,
                                     const ContactSolution& solution) {
     constexpr double of_vehicles = 1e4;  // mm/s
@@ -88,33 +89,32 @@ bool slides_as_a_vehicle_never_does(const ContactProblem& problem, const Rolling
            solution.elements.adhesion == 0 && solution.elements.slip > 0;
 }
 
-/// Surfaces that roll hardly slide: what is given in percent, or in another unit of length, is far from small.
+/// Warns of creepages that are too large for rolling, which are probably in percent or in another unit of length.
 void warn_of_large_creepages(const ContactProblem& problem, const ContactSolution& solution, Sentences& warnings) {
-    constexpr double largest_creepage = 0.5;  // as of wheels on rails
+    constexpr double largest_creepage = 0.5;  // for wheels on rails
     const auto* rolling = problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
     if (rolling == nullptr) return;
     for (const auto& [name, creepage] : {std::pair("xi", rolling->xi), std::pair("eta", rolling->eta)})
         if (std::abs(creepage) > largest_creepage)
             warnings.push_back(std::string("friction.rolling.") + name + " is " + short_text(creepage) +
-                               ": surfaces part by " + short_text(100 * std::abs(creepage)) +
-                               " % of what they roll. Give creepages as ratios, not in percent.");
+                               ": the surfaces slide by " + short_text(100 * std::abs(creepage)) +
+                               " % of the distance rolled. Give creepages as ratios, not in percent.");
     if (slides_as_a_vehicle_never_does(problem, *rolling, solution))
         for (const auto& [name, creepage] : {std::pair("xi", rolling->xi), std::pair("eta", rolling->eta)})
             if (std::abs(creepage) > largest_of_vehicles && std::abs(creepage) <= largest_creepage)
                 warnings.push_back(std::string("friction.rolling.") + name + " is " + short_text(creepage) + ": at " +
-                                   short_text(rolling->velocity / 1000) + " m/s surfaces slide by " +
+                                   short_text(rolling->velocity / 1000) + " m/s the surfaces slide at " +
                                    short_text(std::abs(creepage) * rolling->velocity / 1000) +
-                                   " m/s, which no wheel does for long. Give creepages as ratios, not in percent: "
+                                   " m/s, which wheels do only briefly. Give creepages as ratios, not in percent: "
                                    "0.2 % is 0.002.");
     const double size = std::sqrt(solution.area.contact / std::numbers::pi);
     if (std::abs(rolling->phi) * size > 1)
-        warnings.push_back("friction.rolling.phi is " + short_text(rolling->phi) + ", which parts surfaces by " +
-                           short_text(std::abs(rolling->phi) * size) +
-                           " of what they roll at the contact's radius of " + short_text(size) +
-                           " mm. Give the spin in 1/mm (rad per mm rolled), not in 1/m.");
+        warnings.push_back("friction.rolling.phi is " + short_text(rolling->phi) + ": at the contact's radius of " +
+                           short_text(size) + " mm the surfaces slide by " + short_text(std::abs(rolling->phi) * size) +
+                           " of the distance rolled. Give the spin in 1/mm (rad per mm rolled), not in 1/m.");
 }
 
-/// Numbers that are those of steel in another unit, or Young's modulus, and of no other material.
+/// Warns of moduli that match steel only as Young's modulus or in Pa.
 void warn_of_moduli(const ContactProblem& problem, Sentences& warnings) {
     if (problem.bodies.pair) return;
     constexpr double pascal = 1e6;  // N/mm^2
@@ -134,8 +134,8 @@ void warn_of_moduli(const ContactProblem& problem, Sentences& warnings) {
                                ", Young's modulus of steel in N/mm^2. G is the shear modulus, E/(2 (1 + nu)) = " +
                                number_text(std::round(G / (2 * (1 + nu)))) + " N/mm^2 here.");
         else if (is_in_mm && says(pascal).first)
-            warnings.push_back(field + ", a modulus of steel in Pa, on a grid that is not in metres. Give moduli in " +
-                               "N/mm^2 where lengths are in mm.");
+            warnings.push_back(field + ", a modulus of steel in Pa, but the grid is not in metres. Give moduli in " +
+                               "N/mm^2 if lengths are in mm.");
     };
     warn_of("upper", problem.bodies.upper);
     warn_of("lower", problem.bodies.lower);

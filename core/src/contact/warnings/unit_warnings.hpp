@@ -1,4 +1,4 @@
-// Likely mistakes of units in contact problems: magnitudes that no contact has.
+// Warnings about magnitudes that no contact has, and which are probably in another unit.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace contactd {
 
-/// Sentences about moduli, loads, strengths, heights, coefficients and creepages that are out of every proportion, and
-/// about a slip law at velocities that hardly affect it.
+/// Returns warnings about implausible moduli, loads, strengths, heights, coefficients and creepages, and about a slip
+/// law at velocities that hardly affect it.
 std::vector<std::string> unit_warnings(const ContactProblem& problem, const ContactSolution& solution);
 
 }  // namespace contactd

@@ -90,9 +90,9 @@ WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, Whee
         const double usual = std::abs(at_low) / wheelset.right.wheel_origin;  // about twice the required range
         for (double reach = std::max(1e-7, usual); at_low > 0 || at_high < 0; reach *= 2) {
             if (!(reach <= largest_roll))
-                throw InvalidArgument(
-                    "shift", "is " + number_text(shift) +
-                                 ", but no roll below 0.2 rad brings both wheels into contact with their rails");
+                throw InvalidArgument("shift",
+                                      "is " + number_text(shift) +
+                                          ", but at no roll below 0.2 rad are both wheels in contact with their rails");
             if (at_low > 0)
                 high = low, at_high = at_low, at_low = imbalance(low = -reach);
             else
