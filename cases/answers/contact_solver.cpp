@@ -16,13 +16,13 @@ BodyTable table_of(const Grid& grid, const Body& body) {
     const Ics* ics = body.computed();
     if (ics == nullptr) return IcTable(grid.nx, grid.ny);
     const IcSpec spec{*ics, without_instant_creep({body, body}).upper.material, grid.dx, grid.dy, grid.nx, grid.ny};
-    IcRecord record;  // as closed_form_record makes it, but for the evidence: nobody asks for that
+    IcRecord record;  // the same as that of closed_form_record, but without its evidence, which is not needed
     record.spec = dimensionless(spec);
     record.tables = half_space_table(record.spec);
     return body_table(record, spec);
 }
 
-/// The part of a solution that displacements follow from.
+/// Returns the part of a solution that determines the displacements.
 ContactSolution tractions_of(const ContactSolution& solution) {
     ContactSolution part;
     part.pressure = solution.pressure;
@@ -31,7 +31,7 @@ ContactSolution tractions_of(const ContactSolution& solution) {
     return part;
 }
 
-/// A layer between the bodies shears as much as its flexibility times the traction, and a sheet yields to the pressure.
+/// Adds the shear of a layer between the bodies, its flexibility times the traction, and the compression of a sheet.
 Displacements with_layer(const ContactProblem& problem, ContactSolution u) {
     if (problem.sheet_flexibility > 0)
         for (std::size_t i = 0; i < u.pressure.size(); ++i)
@@ -44,7 +44,7 @@ Displacements with_layer(const ContactProblem& problem, ContactSolution u) {
     return {u.displacement_x, u.displacement_y, u.displacement_z};
 }
 
-/// Those of each element, as the solve of the wheel has them.
+/// Returns the regions of the elements, the same as in the solve of the wheel.
 RegionShares regions_on_rail(const ContactProblem& problem, bool is_left) {
     ContactRegions regions = *problem.regions;
     Grid grid = problem.grid;
@@ -62,7 +62,8 @@ const ContactInfluence& ContactSolver::influence_of(const ContactProblem& proble
     const Key key{grid.nx, grid.ny, grid.dx, grid.dy, problem.bodies};
     constexpr std::array<double, 3> none{};
     const auto step = rolling_of_operators(problem);
-    if (key_ == key && (step == step_ || step == none)) return influence_;  // with a step it serves without one, too
+    // An operator with a step also serves problems without one.
+    if (key_ == key && (step == step_ || step == none)) return influence_;
     key_.reset();
     const Bodies& bodies = problem.bodies;
     if (bodies.pair) {

@@ -9,7 +9,7 @@
 namespace contactd::cases {
 namespace {
 
-/// Over the distance rolled.
+/// Returns the rigid slip per distance rolled.
 RigidSlip relative_slip(const Grid& grid, const Rolling& rolling, double dq) {
     RigidSlip slip = rigid_slip(grid, rolling, dq);
     for (auto* component : {&slip.x, &slip.y})
@@ -17,7 +17,8 @@ RigidSlip relative_slip(const Grid& grid, const Rolling& rolling, double dq) {
     return slip;
 }
 
-/// A creepage that a force found is not known before: it is no part of the rigid slip. Spin about its centre is.
+/// Returns the motion without creepages found for a prescribed force, which CONTACT excludes from the rigid slip. The
+/// contribution of spin about its centre remains.
 Motion without_found(const Solved& solved) {
     Motion motion = *solved.solution.motion;
     if (auto* rolling = std::get_if<Rolling>(&motion)) {

@@ -18,7 +18,7 @@ const Rolling* rolling_of(const ContactProblem& problem) {
     return std::get_if<Rolling>(&problem.motion);
 }
 
-/// Passes each value of steady rolling on along the way of its particles: value(i, v) where v came to element i.
+/// Computes values along the paths of particles in steady rolling: value(i, v) in element i, where v arrives there.
 template <class Value>
 Values swept(const ContactProblem& problem, double entering, const Value& value) {
     std::vector<std::size_t> elements(problem.grid.size());
@@ -46,7 +46,7 @@ Values accumulated(const ContactProblem& problem, const ContactSolution& solutio
     return sum;
 }
 
-/// The paraboloid with the force of Hertz's pressures is 4/3 as high as these.
+/// Replaces Hertz's pressures by a paraboloid with the same force, whose maximum is 4/3 of theirs.
 void take_paraboloid(ContactSolution& solution) {
     const double p0 = solution.pmax;
     if (!(p0 > 0)) return;

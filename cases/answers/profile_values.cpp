@@ -8,7 +8,7 @@
 namespace contactd::cases {
 namespace {
 
-/// Places along the curve.
+/// Returns positions along the curve.
 std::vector<double> samples(const ProfileCurve& curve, const ProfileQuery& query) {
     const std::vector<double>& knots = curve.knots();
     if (query.sampling <= 0) return knots;
@@ -17,7 +17,8 @@ std::vector<double> samples(const ProfileCurve& curve, const ProfileQuery& query
         const double length = curve.end() - curve.begin();
         if (!(query.step > 0) || length / query.step > double{most_profile_points})
             throw NotCovered(Subject::input, "The distance of the points is " + std::to_string(query.step) +
-                                                 " mm; there would be too many of them.");
+                                                 " mm: it must be positive and produce at most " +
+                                                 std::to_string(most_profile_points) + " points.");
         for (int i = 0; i <= static_cast<int>(length / query.step); ++i)
             places.push_back(curve.begin() + i * query.step);
         return places;
@@ -29,12 +30,12 @@ std::vector<double> samples(const ProfileCurve& curve, const ProfileQuery& query
     return places;
 }
 
-/// y and z of the point of the gauge face and of the top, both as the profile has them turned by its cant.
+/// Returns the values of task 3, with the points of the canted profile.
 std::vector<double> gauge_values(const ProfileCurve& profile, const Track& track, const RailFrames& frames) {
     const double top = geometry::s_of_top(profile, track.cant);
     const double highest = geometry::canted(profile.at(top), track.cant).z;
     const auto lowest = geometry::s_of_depth(profile, track.cant, top, highest + track.gauge_height);
-    if (!lowest) throw NotCovered(Subject::profile, "The rail does not reach down to the gauge height.");
+    if (!lowest) throw NotCovered(Subject::profile, "The profile of the rail ends above the gauge height GAUGHT.");
     const double face = geometry::least_y(profile, track.cant, *lowest, top);
     const ProfilePoint end = geometry::canted(profile.at(*lowest), track.cant);
     return {face, end.z, frames.side * frames.rail.origin.y, frames.rail.origin.z, end.y, highest + track.gauge_height};
@@ -45,8 +46,9 @@ std::vector<double> gauge_values(const ProfileCurve& profile, const Track& track
 std::vector<double> profile_values(const ProfileQuery& query, const RailOutlines& outlines,
                                    const std::function<RailFrames()>& frames_of) {
     if (query.task < 0 || query.task > 5)
-        throw NotCovered(Subject::input, "itask is " + std::to_string(query.task) +
-                                             "; contactd has -1 to 5, and no sections of varying profiles.");
+        throw NotCovered(Subject::input, "itask = " + std::to_string(query.task) +
+                                             " is not supported. Use -1 to 5; sections of varying profiles are not "
+                                             "available.");
     const auto& [setup, profiles] = outlines;
     const ProfileCurve& curve = query.wheel ? profiles.wheel : profiles.rail;
     const std::vector<double> places = samples(curve, query);
@@ -61,7 +63,7 @@ std::vector<double> profile_values(const ProfileQuery& query, const RailOutlines
     } else {
         const RailFrames frames = frames_of();
         if (query.task == 3) {
-            if (query.wheel) throw NotCovered(Subject::profile, "A wheel has no gauge; ask for the rail's.");
+            if (query.wheel) throw NotCovered(Subject::profile, "A wheel has no gauge. Use itask = 3 for the rail.");
             return gauge_values(curve, setup.track, frames);
         }
         const geometry::Frame& frame = query.wheel ? frames.wheel : frames.rail;

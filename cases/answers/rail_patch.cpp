@@ -28,7 +28,7 @@ std::optional<FrictionLaw> friction_of(const WheelRailSetup& setup, const Contac
     return law;
 }
 
-/// Forces of a curved contact: the sums of all its rows as vectors, in the axes of the reference.
+/// Returns the forces of a curved contact: the vector sums over all rows, in the axes of the reference.
 Forces of_rows(const WheelRailPatch& patch) {
     const Wrench& track = patch.forces.track;
     const ContactReference& at = patch.place.reference;
@@ -38,8 +38,8 @@ Forces of_rows(const WheelRailPatch& patch) {
     return {track.Fz * c - track.Fy * s, track.Fx, track.Fy * c + track.Fz * s, mz * c - my * s};
 }
 
-/// The reference from where elements of a step that is not steady are counted, in the axes of the patch: along the
-/// track, or from the wheelset on, and across the rail.
+/// Returns the position of the reference relative to the origin of elements in a step that is not steady, in the axes
+/// of the patch. Along x, the origin is that of the track for shifts, or the wheelset for transient rolling.
 RailPlace counted_from(const ContactPlace& place, const WheelRailState& state) {
     if (state.motion == WheelRailMotion::steady_rolling) return {};
     const bool moves = state.motion == WheelRailMotion::transient_rolling;
@@ -53,7 +53,7 @@ void move(ContactRegions& regions, const RailPlace& by) {
     }
 }
 
-/// The motion of the reference as that of the place where elements are counted from.
+/// Converts the motion of the reference to that of the origin of elements.
 Motion seen_from(Motion motion, const RailPlace& counted) {
     if (auto* rolling = std::get_if<Rolling>(&motion)) {
         rolling->xi += rolling->phi * counted.across;
@@ -66,7 +66,7 @@ Motion seen_from(Motion motion, const RailPlace& counted) {
     return motion;
 }
 
-/// The regions of its contact problem, which are those of a right wheel.
+/// Returns the regions of the contact problem. They are computed for a right wheel, and mirrored for a left one.
 std::optional<ContactRegions> regions_of(const WheelRailSetup& setup, ContactPlace place) {
     if (setup.normal_model != NormalModel::of_model) return std::nullopt;
     if (setup.side == Side::left) mirror(place);
@@ -75,7 +75,7 @@ std::optional<ContactRegions> regions_of(const WheelRailSetup& setup, ContactPla
     return regions;
 }
 
-/// Names what the contact problem of a patch leaves out; null: nothing.
+/// Returns the name of a feature that the contact problem of a patch lacks, or null if it is complete.
 const char* left_out(const WheelRailSetup& setup, const WheelRailState& state, const ContactPlace& place) {
     if (setup.model != Model::full) return "a simplified model";
     if (setup.normal_model != NormalModel::of_model) return "virtual penetration";
@@ -111,7 +111,7 @@ Motion show_patch(const WheelRailPatch& patch, const WheelRailSetup& setup, cons
     solved.plastic = plastic_slip(solved.problem, solved.solution, {});
     Forces& forces = solved.solution.forces;
     if (!place.rows.empty()) forces = of_rows(patch);
-    // Moments of the rows of a curved contact are about its reference across the rail.
+    // Across the rail, moments of the rows of a curved contact are about its reference.
     forces.Mz += counted.along * forces.Fy - (place.rows.empty() ? counted.across * forces.Fx : 0);
     solved.problem.grid.x0 += counted.along;
     solved.problem.grid.y0 += counted.across;

@@ -23,17 +23,17 @@ double yaw_of(const Rotation& axes) {
     return std::atan2(axes.x.y, axes.x.x);
 }
 
-/// The axes `inner` as those of `outer` see them.
+/// Returns the axes `inner` relative to the axes `outer`.
 Rotation seen_by(const Rotation& outer, const Rotation& inner) {
     return {outer.turned_back(inner.x), outer.turned_back(inner.y), outer.turned_back(inner.z)};
 }
 
-/// From where the profile has y = 0 on (mm).
+/// Returns the length along the profile from y = 0 (mm).
 double length_along(const ProfileCurve& profile, double y) {
     return profile.arc_length(profile.s_at_y(y)) - geometry::arc_length_of_middle(profile);
 }
 
-/// Centre of the pressures, in the axes of the patch.
+/// Returns the centre of pressure in the axes of the patch.
 Vector3 centre_of_pressure(const WheelRailPatch& patch) {
     const Grid& grid = patch.place.grid;
     double sum = 0, x = 0, y = 0;
@@ -111,7 +111,7 @@ std::array<double, 38> location_of(const WheelRailPatch& patch, const RailOutlin
             on_wheel.x,
             side * on_wheel.y,
             on_wheel.z,
-            -length_along(profiles.wheel, on_wheel.y),  // counted towards the flange
+            -length_along(profiles.wheel, on_wheel.y),  // positive towards the flange
             angle(frames.wheel),
             centre.x,
             side * centre.y,

@@ -11,13 +11,13 @@
 namespace contactd::cases {
 namespace {
 
-constexpr double step_size = 1e-4;  // of what an input is measured in
+constexpr double step_size = 1e-4;  // of differences, relative to the scale of an input
 constexpr int inputs = 4;           // the approach, and the motion along x, along y and about z
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 using Outputs = std::array<double, 4>;
 
-/// Approach and motion prescribed as they were found, and solved as well as it goes.
+/// Returns the problem with the computed approach and motion as inputs, and with tight tolerances.
 ContactProblem at_solution(const ContactProblem& problem, const ContactSolution& solution) {
     ContactProblem result = problem;
     if (const auto paraboloid = paraboloid_of(problem)) result.gap = *paraboloid;
@@ -32,7 +32,7 @@ ContactProblem at_solution(const ContactProblem& problem, const ContactSolution&
     return result;
 }
 
-/// The approach, or one of the motion's three numbers.
+/// Returns the approach, or one of the three numbers of the motion.
 double& input(ContactProblem& problem, int in) {
     if (in == 0) return *problem.approach;
     if (auto* rolling = std::get_if<Rolling>(&problem.motion))
@@ -45,7 +45,7 @@ double bound_of(const ContactProblem& problem, const Forces& forces) {
     return problem.friction ? problem.friction->mu_of(0) * forces.Fn : 0;
 }
 
-/// By one of the inputs; 0 where it has no influence.
+/// Returns the derivative with respect to one of the inputs, or 0 if it has no influence.
 double by(const std::optional<DerivativesOfAnswer>& answer, int in) {
     if (!answer) return 0;
     if (in == 0) return answer->approach.value_or(0);
@@ -54,7 +54,7 @@ double by(const std::optional<DerivativesOfAnswer>& answer, int in) {
     return (in == 1 ? answer->xi : in == 2 ? answer->eta : answer->phi).value_or(0);
 }
 
-/// Sensitivities of the forces over mu Fn, which changes, too.
+/// Returns the sensitivities, with tangential forces relative to mu Fn, which also changes.
 Sensitivities by_derivatives(ContactProblem problem, ContactSolver& solver, bool rubs) {
     Sensitivities result;
     for (auto& row : result) row.fill(nothing);
@@ -65,7 +65,7 @@ Sensitivities by_derivatives(ContactProblem problem, ContactSolver& solver, bool
         return result;
     }
     if (!solution.converged() || !solution.derivatives)
-        throw NotCovered(Subject::tolerance, "The sensitivities stopped above their tolerance; the forces stand.");
+        throw NotCovered(Subject::tolerance, "The sensitivities did not reach their tolerance. The forces are valid.");
     const Derivatives& by_all = *solution.derivatives;
     const Forces& forces = solution.forces;
     const double bound = bound_of(problem, forces);
@@ -80,7 +80,7 @@ Sensitivities by_derivatives(ContactProblem problem, ContactSolver& solver, bool
     return result;
 }
 
-/// The scale of an input: the approach itself, and for a motion that which makes forces of the size of mu Fn.
+/// Returns the scale of an input: the approach itself, or the motion that produces forces of about mu Fn.
 double unit_of(const ContactProblem& problem, const ContactSolution& solution, int in) {
     if (in == 0) return std::abs(solution.approach);
     const double size = std::sqrt(std::max(solution.area.contact, problem.grid.element_area()) / std::numbers::pi);
@@ -95,7 +95,7 @@ Outputs outputs(const ContactProblem& problem, ContactSolver& solver) {
     const ContactSolution solution = solver.solve(problem);
     if (!solution.converged())
         throw NotCovered(Subject::tolerance,
-                         "The sensitivities' solves stopped above their tolerance; the forces stand.");
+                         "The solves for the sensitivities did not reach their tolerance. The forces are valid.");
     const Forces& forces = solution.forces;
     const double bound = bound_of(problem, forces);
     const auto relative = [&](double force) { return bound > 0 ? force / bound : 0; };
@@ -124,7 +124,7 @@ Sensitivities sensitivities(const ContactProblem& problem, const ContactSolution
     ContactProblem base = at_solution(problem, solution);
     const bool creeps = problem.bodies.any_viscoelastic();
     if (!rubs && !creeps) base.friction.reset();
-    // With a slip law, and of viscoelastic bodies, core has no derivatives.
+    // core has no derivatives for slip laws and viscoelastic bodies.
     if (creeps || (rubs && problem.friction->kinetic)) return by_differences(base, solution, solver);
     return by_derivatives(std::move(base), solver, rubs);
 }

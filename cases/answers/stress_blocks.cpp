@@ -10,7 +10,13 @@
 namespace contactd::cases {
 namespace {
 
-/// Coordinates along one axis, of which `centre(i)` is that of the i-th of `count` elements.
+[[noreturn]] void refuse_element(int number, int count) {
+    throw NotCovered(Subject::input, "A block of subsurface points contains the element number " +
+                                         std::to_string(number) + ", but numbers go from 1 to " +
+                                         std::to_string(count) + " along this axis.");
+}
+
+/// Returns the coordinates along one axis. `centre(i)` is the centre of element i of `count`.
 template <class Centre>
 std::vector<double> coordinates(int kind, const std::vector<double>& given, int count, const Centre& centre) {
     if (kind == 9) return given;
@@ -20,13 +26,16 @@ std::vector<double> coordinates(int kind, const std::vector<double>& given, int 
     else if (range_of_elements(kind)) {
         const int first = static_cast<int>(given[0]), step = static_cast<int>(given[1]);
         const int last = static_cast<int>(given[2]);
-        if (step < 1 || last > count) throw NotCovered(Subject::input, "A block names elements that there are not.");
+        if (last > count) refuse_element(last, count);
+        if (step < 1)
+            throw NotCovered(Subject::input, "A block of subsurface points has the step " + std::to_string(step) +
+                                                 " between elements. Use at least 1.");
         for (int i = first; i <= last; i += step) numbers.push_back(i);
     } else
         for (const double i : given) numbers.push_back(static_cast<int>(i));
     std::vector<double> result;
     for (const int i : numbers) {
-        if (i < 1 || i > count) throw NotCovered(Subject::input, "A block names elements that there are not.");
+        if (i < 1 || i > count) refuse_element(i, count);
         result.push_back(centre(i - 1));
     }
     return result;
@@ -36,8 +45,8 @@ constexpr std::array components{&SubsurfaceStress::xx,       &SubsurfaceStress::
                                 &SubsurfaceStress::xy,       &SubsurfaceStress::xz, &SubsurfaceStress::yz,
                                 &SubsurfaceStress::von_mises};
 
-/// The layers of one body. The frame of the upper one is mirrored, which changes the signs of xz, yz and of
-/// displacements along z.
+/// Adds the layers of points in one body. The frame of the upper body is mirrored, which changes the signs of xz, yz
+/// and of displacements along z.
 void add_body(ContactBody body, const Solved& solved, SolvedBlock& block) {
     const bool upper = body == ContactBody::upper;
     std::vector<std::size_t> layers;
@@ -139,8 +148,8 @@ SolvedBlock solve_block(const GivenBlock& block, const Solved& solved) {
     SolvedBlock result{block, block_points(block, solved.problem.grid), {}, {}};
     constexpr std::size_t most = 10'000'000;
     if (result.points.size() > most)
-        throw NotCovered(Subject::input, "A block has " + std::to_string(result.points.size()) + " points; " +
-                                             std::to_string(most) + " are possible.");
+        throw NotCovered(Subject::input, "A block of subsurface points has " + std::to_string(result.points.size()) +
+                                             " points; at most " + std::to_string(most) + " are supported.");
     for (const auto component : components) (result.stress.*component).resize(result.points.size());
     for (auto* values : {&result.displacement.x, &result.displacement.y, &result.displacement.z})
         values->resize(result.points.size());

@@ -17,16 +17,16 @@ namespace contactd::cases {
 namespace {
 
 constexpr std::size_t columns = 9;             ///< Czz Czx Czy Cxz Cxx Cxy Cyz Cyx Cyy
-constexpr double largest_offsets = 4'000'000;  ///< of a file
-constexpr double rounding = 1e-6;              ///< of coordinates, and of symmetries over the largest coefficient
+constexpr double largest_offsets = 4'000'000;  ///< largest number of offsets in a file
+constexpr double rounding = 1e-6;              ///< tolerance of symmetries, relative to the largest coefficient
 
-/// The displacement and the load of a column.
+/// Returns the axes of the displacement and the load of a column.
 std::pair<Axis, Axis> axes_of(std::size_t column) {
     constexpr std::array order{Axis::z, Axis::x, Axis::y};
     return {order[column / 3], order[column % 3]};
 }
 
-/// -1 where a coefficient changes its sign with that of the offset along an axis.
+/// Returns -1 if a coefficient changes its sign with that of the offset along an axis, otherwise 1.
 double parity(std::size_t column, Axis along) {
     const auto [of, by] = axes_of(column);
     return (of == along) != (by == along) ? -1 : 1;
@@ -38,11 +38,11 @@ class CoefficientLines {
 
     [[noreturn]] void fail(const std::string& problem) const {
         throw NotCovered(Subject::input,
-                         "The file \"" + name_ + "\", line " + std::to_string(number_) + " " + problem + ".");
+                         "In the file \"" + name_ + "\", line " + std::to_string(number_) + " " + problem + ".");
     }
-    /// The words of the next line, without its comment.
+    /// Returns the words of the next line, without its comment.
     const std::vector<std::string>& next() {
-        if (rest_.empty()) fail("is the last one, and others must follow");
+        if (rest_.empty()) fail("is the last one, but more lines must follow");
         ++number_;
         const std::size_t end = rest_.find('\n');
         std::string_view line = rest_.substr(0, end);
@@ -56,7 +56,7 @@ class CoefficientLines {
         }
         return words_;
     }
-    /// The next line that has words.
+    /// Returns the words of the next line that is not empty.
     const std::vector<std::string>& header() {
         while (next().empty()) {
         }
@@ -64,7 +64,7 @@ class CoefficientLines {
     }
     double number(std::size_t word) const {
         const auto value = word < words_.size() ? contact_files::real_in(words_[word]) : std::nullopt;
-        if (!value) fail("has too few numbers, or a word that is none");
+        if (!value) fail("has too few numbers, or a word that is not a number");
         return *value;
     }
     bool has_numbers() const {
@@ -80,30 +80,30 @@ class CoefficientLines {
     std::vector<std::string> words_;
 };
 
-/// One table for all rows, as its first lines say, and the symmetries in both directions.
+/// Reads the first lines. They must stand for one table for all rows, and for the supported columns and symmetries.
 void read_kind(CoefficientLines& lines) {
     lines.header();
     if (lines.has_numbers() && lines.number(0) != 1)
-        lines.fail("announces tables of each row of elements; only one that serves every row can be read");
+        lines.fail("begins a file with a table for each row of elements; only one table for all rows is supported");
     for (const auto& [first, second, name] : {std::tuple(0, 312, "columns"), std::tuple(1, 0, "symmetries")}) {
         lines.header();
         if (lines.number(0) != first || lines.number(1) != second)
-            lines.fail("must have " + std::to_string(first) + " " + std::to_string(second) + ", the " + name +
-                       " that can be read");
+            lines.fail("must contain " + std::to_string(first) + " " + std::to_string(second) +
+                       ", the only supported " + name);
     }
 }
 
 using Rows = std::vector<std::array<double, columns>>;
 
-/// A block of offsets along x.
+/// Reads a block of offsets along x.
 Rows read_block(CoefficientLines& lines, int nx, double dx) {
     Rows rows(static_cast<std::size_t>(nx));
     for (int ix = 0; ix < nx; ++ix) {
         lines.next();
-        if (lines.words() != columns + 2) lines.fail("must hold eleven numbers, ix, x and nine coefficients");
-        constexpr double digits = 1e-3;  // that x may be printed with, in elements
+        if (lines.words() != columns + 2) lines.fail("must contain eleven numbers: ix, x and nine coefficients");
+        constexpr double digits = 1e-3;  // tolerance of a printed x, relative to dx
         if (lines.number(0) != ix || std::abs(lines.number(1) - ix * dx) > digits * dx)
-            lines.fail("must have the offset ix = " + std::to_string(ix) + " and x = ix dx");
+            lines.fail("must contain the offset ix = " + std::to_string(ix) + " and x = ix dx");
         for (std::size_t i = 0; i < columns; ++i) rows[static_cast<std::size_t>(ix)][i] = lines.number(i + 2);
     }
     return rows;
@@ -118,10 +118,11 @@ GivenIcs read_coefficients(std::string_view text, const std::string& name, doubl
     const double columns_along = lines.number(0), rows_across = lines.number(1);
     if (!(columns_along >= 1 && rows_across >= 1 && columns_along * rows_across <= largest_offsets) ||
         columns_along != std::round(columns_along) || rows_across != std::round(rows_across))
-        lines.fail("must have the numbers of offsets along x and y");
+        lines.fail("must begin with the numbers of offsets along x and y");
     const int nx = static_cast<int>(columns_along), ny = static_cast<int>(rows_across);
     GivenIcs found{IcTable(nx, ny), lines.number(2), lines.number(3)};
-    if (!(found.dx > 0 && found.dy > 0)) lines.fail("must have positive sizes of elements behind the offsets");
+    if (!(found.dx > 0 && found.dy > 0))
+        lines.fail("must contain positive element sizes dx and dy after the numbers of offsets");
     std::vector<Rows> blocks;
     for (int iy = 1 - ny; iy < ny; ++iy) {
         lines.next();
@@ -139,10 +140,10 @@ GivenIcs read_coefficients(std::string_view text, const std::string& name, doubl
                 double part = 0.5 * (at(iy) + parity(i, Axis::y) * at(-iy));
                 if (ix == 0 && parity(i, Axis::x) < 0) part = 0;
                 if (!(std::abs(at(iy) - part) <= allowed))
-                    throw NotCovered(Subject::input, "The file \"" + name + "\" has " + number_text(at(iy)) +
-                                                         " at the offset " + std::to_string(ix) + ", " +
-                                                         std::to_string(iy) +
-                                                         ", which is not that of bodies symmetric in x and y.");
+                    throw NotCovered(Subject::input, "The file \"" + name + "\" has the coefficient " +
+                                                         number_text(at(iy)) + " at the offset " + std::to_string(ix) +
+                                                         ", " + std::to_string(iy) +
+                                                         ". Only bodies that are symmetric in x and y are supported.");
                 const auto [of, by] = axes_of(i);
                 found.table(of, by, ix, iy) = part / G;
             }

@@ -1,15 +1,16 @@
-// The control digits: which of their values contactd has.
+// Supported values of the control digits.
 #pragma once
 
 #include "given/given.hpp"
 
 namespace contactd::cases {
 
-/// Tells whether a digit means anything for basic contact, or for a wheel on a rail.
+/// Returns whether a digit has an effect in basic contact, or for a wheel on a rail.
 bool has_meaning(int Digits::* digit, bool on_rails);
-/// Returns which values there are where this one is not covered, and null where it is.
+/// Returns the supported values as a sentence without its full stop, such as "Use 0 or 1", if this value is not
+/// supported. Returns null if it is.
 const char* why_not_covered(int Digits::* digit, int value, bool on_rails);
-/// Sets a digit. Throws NotCovered, and changes nothing then.
+/// Sets a digit. Throws NotCovered for an unsupported value, and changes nothing in that case.
 void set_digit(Digits& digits, int Digits::* digit, int value, bool on_rails);
 
 }  // namespace contactd::cases

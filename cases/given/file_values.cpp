@@ -30,9 +30,9 @@ namespace contactd::cases {
 namespace {
 
 constexpr Units units_of_files = units_mm_on_body_1;
-constexpr std::uintmax_t most_coefficients_bytes = std::uintmax_t{1} << 31;  ///< of 4 million offsets
+constexpr std::uintmax_t most_coefficients_bytes = std::uintmax_t{1} << 31;  ///< size of 4 million offsets
 
-/// Values of a case by their names.
+/// The values of a case by their names.
 struct Values {
     const ContactCase& read;
 
@@ -40,7 +40,7 @@ struct Values {
     bool has(std::string_view name) const { return read.values.contains(name); }
     int integer(std::string_view name) const { return std::get<int>(read.values.find(name)->second); }
     double real(std::string_view name) const { return std::get<double>(read.values.find(name)->second); }
-    /// Zero where the file never had it.
+    /// Returns the value, or zero if no case of the file contained it.
     double real_or_none(std::string_view name) const { return has(name) ? real(name) : 0; }
     const std::string& text(std::string_view name) const {
         return std::get<std::string>(read.values.find(name)->second);
@@ -75,8 +75,8 @@ void set_digits(Given& given, const Values& of, bool on_rails) {
     set(&Digits::variant, of.has("VARIANT") ? of.integer("VARIANT") : Digits{}.variant);
 }
 
-/// A file takes MAXOUT = 1 literally for dissimilar bodies, and a MAXGS of 999, which it has without one, as no limit.
-/// INISLP stays in force when G names another solver.
+/// Sets the options of the solvers. In a file, MAXOUT = 1 means one outer iteration for dissimilar bodies, and MAXGS =
+/// 999, the default, means no limit. INISLP remains effective if G selects another solver.
 void set_solvers(Given& given, const Values& of) {
     constexpr int no_limit = 999;
     const int maxgs = of.integer("MAXGS"), maxout = of.integer("MAXOUT");
@@ -107,7 +107,7 @@ void set_bodies(Given& given, const Values& of) {
     given.heat = thermal_bodies(numbers, units_of_files);
 }
 
-/// Numbers of the law of a set, with those of its memory.
+/// Returns the numbers of the law of a set, with those of its memory.
 std::vector<double> numbers_of_set(const Values& of, const ByName<double>& set, int law) {
     if (law == law::coulomb) return {set.at("FSTAT"), set.at("FSTAT")};
     std::vector<double> numbers;
@@ -134,7 +134,7 @@ void set_friction(Given& given, const Values& of) {
     given.friction = varying_friction(law, varies, places, units_of_files);
 }
 
-/// Values of the potential contact behind MX and MY, by IPOTCN.
+/// The values of the potential contact after MX and MY, by IPOTCN.
 const std::map<int, std::vector<const char*>> names_of_areas{
     {-6, {"AA", "BNEG", "BPOS", "SCALE"}}, {-5, {"AA", "BB", "SCALE"}},   {-4, {"A1", "BB", "SCALE"}},
     {-3, {"AA", "BB", "SCALE"}},           {-2, {"A1", "AOB", "SCALE"}},  {-1, {"A1", "B1", "SCALE"}},
@@ -189,7 +189,8 @@ void set_area(Given& given, const Values& of) {
     const int kind = of.integer("IPOTCN");
     const auto names = names_of_areas.find(kind);
     if (names == names_of_areas.end())
-        throw NotCovered(Subject::other, "IPOTCN = " + std::to_string(kind) + " is not supported.");
+        throw NotCovered(Subject::other,
+                         "IPOTCN = " + std::to_string(kind) + " is not supported. Use -6 to -1 or 1 to 4.");
     std::vector<double> numbers{double(of.integer("MX")), double(of.integer("MY"))};
     for (const char* name : names->second) numbers.push_back(of.real(name));
     if (kind < 0) {
@@ -203,12 +204,13 @@ void set_area(Given& given, const Values& of) {
 
 void set_extra_slip(Given& given, const Values& of) {
     constexpr int of_elements = 9;
-    const bool is_kept = of.digit("E") != 0 && of.has("EXRHS");  // a first case with E = 1 keeps none
+    const bool is_kept = of.digit("E") != 0 && of.has("EXRHS");  // A first case with E = 1 has nothing to keep.
     set_digit(given.digits, &Digits::extra_slip, is_kept ? of.integer("EXRHS") : 0, false);
     if (given.digits.extra_slip == of_elements) given.extra_slip = GivenSlip{of.list("SLIP_X"), of.list("SLIP_Y"), 1};
 }
 
-/// Steady rolling goes along x, unless ConvexGS solves it (G = 2), and so do simplified theories.
+/// Returns whether CONTACT rolls along x: in steady rolling, unless ConvexGS solves it (G = 2), and in simplified
+/// theories.
 bool rolls_along_x(const Values& of) {
     const int method = of.digit("M");
     const bool is_simplified = method == material::fastsim || method == material::fastrip;
@@ -232,8 +234,8 @@ void set_motion(Given& given, const Values& of) {
     } else {
         given.spin_offset = of.has("FACPHI") ? of.real("FACPHI") : Given{}.spin_offset;
         given.chi = rolls_along_x(of) ? (goes_back(of.real("CHI")) ? std::numbers::pi : 0) : of.real("CHI");
-        given.dq = positive(of.real("DQ"), "dq");
-        given.velocity = positive(std::abs(of.real("VELOC")), "veloc");
+        given.dq = positive(of.real("DQ"), "DQ");
+        given.velocity = positive(std::abs(of.real("VELOC")), "The magnitude of VELOC");
     }
     set_extra_slip(given, of);
 }
@@ -277,7 +279,7 @@ void set_track(GivenRail& rail, const Values& of) {
     GivenTrack& track = rail.track;
     track.gauge_height = of.real("GAUGHT");
     if (track.gauge_height > 0) {
-        track.gauge = positive(of.real("GAUGWD"), "gaugwd");
+        track.gauge = positive(of.real("GAUGWD"), "GAUGWD");
     } else {
         track.rail_y = of.real("RAILY0");
         track.rail_z = of.real("RAILZ0");
@@ -297,14 +299,14 @@ void set_track(GivenRail& rail, const Values& of) {
     track.spring_z = of.real("KZRAIL");
     track.spring_force_z = of.real("FZRAIL");
     if (track.spring_y < 0 || track.spring_z < 0)
-        throw NotCovered(Subject::input, "A stiffness of the rail's springs is negative.");
+        throw NotCovered(Subject::input, "The stiffnesses KYRAIL and KZRAIL must be at least 0.");
 }
 
-/// Deviations of an earlier case stay in force, whatever the digit E says. A round wheel is the same at every pitch,
-/// and CONTACT does not turn it.
+/// Sets the wheelset. Deviations of an earlier case remain effective for every digit E. The pitch deviation is zero,
+/// because CONTACT does not rotate a round wheel by it.
 void set_wheelset(GivenRail& rail, const Values& of) {
     const bool on_roller = of.digit("C1") >= 4;
-    rail.wheelset = {of.real("FBDIST"), of.real("FBPOS"), positive(of.real("NOMRADW"), "nomrad")};
+    rail.wheelset = {of.real("FBDIST"), of.real("FBPOS"), positive(of.real("NOMRADW"), "NOMRADW")};
     rail.position = {
         of.real("Y_WS"), of.real_or_none("Z_WS"), of.real("ROLL"), of.real("YAW"), of.real(on_roller ? "X_WS" : "S_WS"),
         of.real("PITCH")};
@@ -338,12 +340,12 @@ void set_rail_case(Given& given, GivenRail& rail, const ContactCase& read, const
     given.most_elements = std::clamp(of.integer("NPOT_MAX"), least_patch_elements, most_patch_elements);
     if (of.digit("T") != 0) set_friction(given, of);
     rail.elements = rail_elements(-1, of.reals({"DX", "DS", "A_SEP", "D_SEP", "D_COMB", "D_TURN"}), units_of_files);
-    rail.dq = positive(of.real("DQREL"), "dq");
+    rail.dq = positive(of.real("DQREL"), "DQREL");
     rail.rail = surface_of(of, "RFNAME", "RAIL_", false, folder);
     rail.wheel = surface_of(of, "WFNAME", "WHEEL_", true, folder);
     set_track(rail, of);
     set_wheelset(rail, of);
-    if (of.digit("N") == 1) rail.Fz = positive(of.real("FZ"), "fz");
+    if (of.digit("N") == 1) rail.Fz = positive(of.real("FZ"), "FZ");
     if (of.digit("F") == 1) rail.Fx = of.real("FX");
 }
 

@@ -14,9 +14,12 @@ namespace {
 constexpr int of_halves = -6;
 enum Base { quadratic = 1, round_profile = 2, waves = 3, of_elements = 9 };
 
-[[noreturn]] void refuse_option(const char* name, int option, const char* covered) {
+constexpr const char* options_of_basic_contact =
+    "Use -6 to -1 for a Hertzian contact (cntc_sethertzcontact), or 1 to 4 for a rectangle (cntc_setpotcontact)";
+
+[[noreturn]] void refuse_option(int option, const char* cure) {
     throw NotCovered(Subject::discretisation,
-                     std::string(name) + " is " + std::to_string(option) + "; contactd supports " + covered + ".");
+                     "IPOTCN = " + std::to_string(option) + " is not supported here. " + cure + ".");
 }
 
 struct Elements {
@@ -24,54 +27,53 @@ struct Elements {
 };
 
 Elements elements(const std::vector<double>& given) {
-    const Elements result{whole(given[0], "mx"), whole(given[1], "my")};
+    const Elements result{whole(given[0], "MX"), whole(given[1], "MY")};
     if (result.mx < 1 || result.my < 1 || static_cast<double>(result.mx) * result.my > double{max_grid_elements})
-        throw NotCovered(Subject::discretisation, "There are " + std::to_string(result.mx) + " x " +
-                                                      std::to_string(result.my) +
-                                                      " elements; their number must lie between 1 and " +
-                                                      std::to_string(max_grid_elements) + ".");
+        throw NotCovered(Subject::discretisation,
+                         "MX = " + std::to_string(result.mx) + ", MY = " + std::to_string(result.my) +
+                             ": both must be at least 1, and MX MY at most " + std::to_string(max_grid_elements) + ".");
     return result;
 }
 
-/// [mx, my, a, b towards -y, b towards +y, scale] of two half ellipses.
+/// Reads two half ellipses from [mx, my, a, b towards -y, b towards +y, scale].
 HertzArea half_ellipses(const std::vector<double>& given, const Units& units) {
     const auto [mx, my] = elements(given);
-    const double a = positive(given[2], "the semi-axis along x") * units.length,
-                 negative = positive(given[3], "bneg") * units.length,
-                 towards_y = positive(given[4], "bpos") * units.length;
-    return {of_halves, mx, my, a, (negative + towards_y) / 2, positive(given[5], "scale"), negative, towards_y};
+    const double a = positive(given[2], "AA") * units.length, negative = positive(given[3], "BNEG") * units.length,
+                 towards_y = positive(given[4], "BPOS") * units.length;
+    return {of_halves, mx, my, a, (negative + towards_y) / 2, positive(given[5], "SCALE"), negative, towards_y};
 }
 
-/// Along one axis: the lower edge and the size of an element (mm).
+/// The lower edge of the grid and the size of an element along one axis (mm).
 struct Interval {
     double low, size;
 };
 
-/// `from` is an edge or a centre, `to` the other one or the size.
+/// Returns the interval from an edge or a centre `from`, and the opposite one or the element size `to`.
 Interval interval(int option, int elements, double from, double to) {
     const bool of_centres = option >= 3, by_size = option == 1 || option == 3;
     if (option == 4 && elements < 2)
         throw NotCovered(Subject::discretisation,
-                         "The centres of the first and the last element do not determine the size of a single element; "
-                         "use ipotcn 1, 2 or 3.");
+                         "IPOTCN = 4 requires MX and MY of at least 2, because the first and the last centre determine "
+                         "the size of the elements. Use IPOTCN = 1, 2 or 3.");
     const double size = by_size ? to : (to - from) / (of_centres ? elements - 1 : elements);
     return {of_centres ? from - size / 2 : from, size};
 }
 
-/// [number, xm, rm, y1, dy1, and so many heights].
+/// Reads a profile from [number of heights, xm, rm, y1, dy1, heights].
 RoundProfile round_profile_of(std::vector<double> given, const Units& units) {
     constexpr std::size_t before_heights = 5;
-    const int count = whole(given[0], "the number of heights");
+    const int count = whole(given[0], "NN");
     if (count < 1 || given.size() != before_heights + static_cast<std::size_t>(count))
-        throw NotCovered(Subject::input, "prmudf has " + std::to_string(given.size()) + " values; ibase 2 has 5, and " +
-                                             std::to_string(count) + " heights, of which there must be one at least.");
+        throw NotCovered(Subject::input, "IBASE = 2 requires NN, XM, RM, Y1, DY1 and NN >= 1 heights, but NN = " +
+                                             std::to_string(count) + ", and there are " + std::to_string(given.size()) +
+                                             " values (prmudf of cntc_setundeformeddistc).");
     for (double& value : given) value *= units.length;
-    if (given[2] == 0) throw NotCovered(Subject::input, "rm = 0: the radius along x must not be zero.");
-    if (count > 1) positive(given[4], "dy1");
+    if (given[2] == 0) throw NotCovered(Subject::input, "RM = 0: the radius along x must not be zero.");
+    if (count > 1) positive(given[4], "DY1");
     return {given[1], given[2], given[3], given[4], {given.begin() + before_heights, given.end()}};
 }
 
-/// [b1, .. b8]: amplitudes, numbers of waves, phases and radii.
+/// Reads waves from [b1, .. b8]: amplitudes, wavenumbers, phases and radii.
 Waves waves_of(const std::vector<double>& given, const Units& units) {
     Waves waves;
     for (std::size_t i = 0; i < waves.b.size(); ++i) {
@@ -79,14 +81,14 @@ Waves waves_of(const std::vector<double>& given, const Units& units) {
         waves.b[i] = given[i] * (is_wavenumber ? units.curvature() : units.length);
     }
     if (waves.b[6] == 0 || waves.b[7] == 0)
-        throw NotCovered(Subject::input, "b7 or b8 is 0: they are radii. Give a large one where a direction is flat.");
+        throw NotCovered(Subject::input, "B7 or B8 is 0, but both are radii. Use a large radius for a flat direction.");
     return waves;
 }
 
 }  // namespace
 
 HertzArea hertz_area(int option, const std::vector<double>& numbers, const Units& units) {
-    if (option < of_halves || option > -1) refuse_option("ipotcn", option, "the Hertz contacts -1 to -6");
+    if (option < of_halves || option > -1) refuse_option(option, options_of_basic_contact);
     if (option == of_halves) return half_ellipses(numbers, units);
     const auto [mx, my] = elements(numbers);
     const double first_unit = option == -3 || option == -5 ? units.length : units.curvature();
@@ -94,13 +96,16 @@ HertzArea hertz_area(int option, const std::vector<double>& numbers, const Units
     return {option,
             mx,
             my,
-            positive(numbers[2], "the first curvature or semi-axis") * first_unit,
-            positive(numbers[3], "the second curvature, ratio, semi-axis or half width") * second_unit,
-            positive(numbers[4], "scale")};
+            positive(numbers[2], option == -3 || option == -5 ? "AA" : "A1") * first_unit,
+            positive(numbers[3], option == -1   ? "B1"
+                                 : option == -2 ? "AOB"
+                                                : "BB") *
+                second_unit,
+            positive(numbers[4], "SCALE")};
 }
 
 Grid potential_contact(int option, const std::vector<double>& numbers, const Units& units) {
-    if (option < 1 || option > 4) refuse_option("ipotcn", option, "the potential contacts 1 to 4");
+    if (option < 1 || option > 4) refuse_option(option, options_of_basic_contact);
     const auto [mx, my] = elements(numbers);
     const Interval x = interval(option, mx, numbers[2] * units.length, numbers[4] * units.length);
     const Interval y = interval(option, my, numbers[3] * units.length, numbers[5] * units.length);
@@ -110,15 +115,14 @@ Grid potential_contact(int option, const std::vector<double>& numbers, const Uni
 }
 
 GivenElements rail_elements(int option, const std::vector<double>& numbers, const Units& units) {
-    if (option != 0 && option != -1) refuse_option("ipotcn", option, "0 and -1 for a wheel on a rail");
+    if (option != 0 && option != -1) refuse_option(option, "For a wheel on a rail, use 0 or -1 (cntc_setpotcontact)");
     const double mm = units.length;
     GivenElements elements;
-    elements.dx = positive(numbers[0], "dx") * mm;
-    elements.ds = positive(numbers[1], "ds") * mm;
+    elements.dx = positive(numbers[0], "DX") * mm;
+    elements.ds = positive(numbers[1], "DS") * mm;
     if (option == 0) return elements;
     for (const std::size_t i : {2, 3, 4})
-        if (numbers[i] < 0)
-            throw NotCovered(Subject::discretisation, "a_sep, d_sep or d_comb is negative; they must be at least 0.");
+        if (numbers[i] < 0) throw NotCovered(Subject::discretisation, "A_SEP, D_SEP and D_COMB must be at least 0.");
     elements.angle_separate = numbers[2];
     elements.separate = numbers[3] * mm;
     elements.combine = numbers[4] * mm;
@@ -149,7 +153,7 @@ Distance given_distance(int base, std::vector<double> numbers, const Units& unit
         return numbers;
     }
     if (base != quadratic)
-        throw NotCovered(Subject::input, "ibase is " + std::to_string(base) + "; contactd has 1, 2, 3 and 9.");
+        throw NotCovered(Subject::input, "IBASE = " + std::to_string(base) + " is not supported. Use 1, 2, 3 or 9.");
     Quadratic h;
     const double curved = units.curvature(), flat = 1;
     const std::array<double, 6> scales{curved, curved, curved, flat, flat, units.length};

@@ -16,12 +16,12 @@ MaterialPair materials_of(const std::vector<double>& given, const Units& units) 
     return pair;
 }
 
-/// The layer has the flexibility thickness/gg3; tau_c0 = 0 or 1e10 N/mm^2 and more never yields.
+/// Returns a layer of the flexibility thickness/gg3. It never yields if tau_c0 is 0, or at least 1e10 N/mm^2.
 InterfacialLayer layer_of(const std::vector<double>& given, const Units& units) {
     constexpr double never = 1e10;
     const double gg3 = given[4], thickness = given[5], tau_c0 = given[6] * units.stress(), k_tau = given[7];
     if (!(gg3 > 0) || !(thickness >= 0) || !(tau_c0 >= 0))
-        throw NotCovered(Subject::input, "An interfacial layer requires gg3 > 0, laythk >= 0 and tau_c0 >= 0.");
+        throw NotCovered(Subject::input, "An interfacial layer (M = 4) requires GG3 > 0, LAYTHK >= 0 and TAU_C0 >= 0.");
     InterfacialLayer layer{thickness * units.length / (gg3 * units.stress())};
     if (tau_c0 == 0 || tau_c0 >= never) return layer;
     layer.yield_stress = tau_c0;
@@ -30,21 +30,22 @@ InterfacialLayer layer_of(const std::vector<double>& given, const Units& units) 
     return layer;
 }
 
-/// [fg1, fg2, tc1, tc2], the last two in s.
+/// Reads the creep of both bodies from [fg1, fg2, tc1, tc2], the last two in s.
 std::array<Viscoelasticity, 2> creep_of(const std::vector<double>& given) {
     const std::array<Viscoelasticity, 2> bodies{{{given[4], given[6]}, {given[5], given[7]}}};
     for (const auto& [f, tau] : bodies)
         if (!(f >= 0 && tau >= 0))
-            throw NotCovered(Subject::input, "Viscoelastic bodies require fg1, fg2, tc1 and tc2 of at least 0.");
+            throw NotCovered(Subject::input,
+                             "Viscoelastic bodies (M = 1) require FG1, FG2, TC1 and TC2 of at least 0.");
     return bodies;
 }
 
-/// Nothing is reduced at large creepages where k0 is not, whatever beta is. The program takes an alpha of 0 as 1e-6.
+/// Returns the slope reduction. Without a reduction by k0, beta has no effect. CONTACT replaces an alpha of 0 by 1e-6.
 SlopeReduction slope_of(const std::vector<double>& given) {
     constexpr double least_alpha = 1e-6;
     const double k0 = given[4], alpha = given[5], beta = given[6];
     if (!(k0 > 0 && alpha >= 0 && beta >= 0))
-        throw NotCovered(Subject::input, "A reduction of the slope requires k0 > 0, alpha >= 0 and beta >= 0.");
+        throw NotCovered(Subject::input, "FASTSIM and FaStrip (M = 3, 5) require K0 > 0, ALFA >= 0 and BETA >= 0.");
     return {k0, std::max(alpha, least_alpha), beta};
 }
 
@@ -88,9 +89,10 @@ void set_material(Given& given, int method, const std::vector<double>& numbers, 
 
 void require_undamped(double normal, double tangential) {
     if (normal != 0 || tangential != 0)
-        throw NotCovered(Subject::input,
-                         "Damping (method 12) is not supported unless cdampn and cdampt are 0. Set them to 0, or call "
-                         "cntc_setmaterialparameters with method 10.");
+        throw NotCovered(
+            Subject::input,
+            "Damping is not supported: CDAMPN and CDAMPT must be 0. Set both to 0, or use M2 = 0 (method 10 "
+            "of cntc_setmaterialparameters).");
 }
 
 ThermalBodies thermal_bodies(const std::vector<double>& numbers, const Units& units) {
@@ -101,10 +103,10 @@ ThermalBodies thermal_bodies(const std::vector<double>& numbers, const Units& un
 }
 
 ContactSettings solver_settings(double eps, int maxgs, int maxout) {
-    if (!(eps > 0 && eps < 1)) throw NotCovered(Subject::input, "eps must lie between 0 and 1.");
+    if (!(eps > 0 && eps < 1)) throw NotCovered(Subject::input, "EPS must be larger than 0 and smaller than 1.");
     if (maxgs < 1 || maxout < 1)
-        throw NotCovered(Subject::input, "maxgs and maxout are " + std::to_string(maxgs) + " and " +
-                                             std::to_string(maxout) + "; they must be at least 1.");
+        throw NotCovered(Subject::input, "MAXGS = " + std::to_string(maxgs) + ", MAXOUT = " + std::to_string(maxout) +
+                                             ": both must be at least 1.");
     const ContactSettings own;
     ContactSettings settings;
     settings.normal.tolerance = std::min(own.normal.tolerance, eps);

@@ -13,7 +13,7 @@
 namespace contactd::cases {
 namespace {
 
-/// Features of lists that name none: the end of every profile, so that each has one part.
+/// The features of lists without any: the ends of the profile, so that it has one part.
 const std::vector<double> whole_profile{0, 1e5};
 
 std::string ending_of(const std::string& name) {
@@ -32,21 +32,21 @@ bool is_wheel(const std::string& name, const ProfileOptions& options) {
     const std::string ending = ending_of(name);
     if (is_one_of(ending, {".prw", ".whl", ".slcw"})) return true;
     if (is_one_of(ending, {".prr", ".ban", ".slcs"})) return false;
-    throw NotCovered(Subject::profile, "The file \"" + name +
-                                           "\" does not say by its ending whether it is a wheel or "
-                                           "a rail; give iparam(1).");
+    throw NotCovered(Subject::profile, "The ending of the file \"" + name +
+                                           "\" does not identify a rail or a wheel. Set iparam(1) to 0 for a rail, or "
+                                           "to 1 for a wheel (cntc_setprofileinputfname).");
 }
 
 ProfileKind kind_of(bool wheel) {
     return wheel ? ProfileKind::wheel : ProfileKind::rail;
 }
 
-/// Throws what makes a profile unusable.
+/// Returns the points. Throws InvalidArgument if the profile cannot be used.
 std::vector<ProfilePoint> points_of(const ProfileSpec& spec) {
     return make_profile(spec).curve.points();
 }
 
-/// Which way up points are whose shape does not show it: by where the least z lies.
+/// Returns whether z points upwards if the shape does not show it, by the position of the least z.
 bool runs_upwards(const std::vector<ProfilePoint>& points, bool wheel) {
     const auto by_z = [](const ProfilePoint& a, const ProfilePoint& b) { return a.z < b.z; };
     const auto least = std::ranges::min_element(points, by_z);
@@ -57,7 +57,7 @@ bool runs_upwards(const std::vector<ProfilePoint>& points, bool wheel) {
     }
     const auto largest = std::ranges::max_element(points, by_z);
     const auto [left, right] = std::ranges::minmax(points, {}, &ProfilePoint::y);
-    constexpr double face = 0.05;  // part of a wheel's width at an end
+    constexpr double face = 0.05;  // part of a wheel's width that belongs to an end
     const double edge = face * (right.y - left.y);
     const auto at_an_end = [&](const ProfilePoint& point) {
         return std::min(point.y - left.y, right.y - point.y) <= edge;
@@ -68,7 +68,7 @@ bool runs_upwards(const std::vector<ProfilePoint>& points, bool wheel) {
     return middle.z < least->z + share * (largest->z - least->z);
 }
 
-/// Points whose shape does not say which way up they are get it said.
+/// Sets mirror_z for points whose shape does not show the direction of z.
 ProfileSpec turned(ProfileSpec spec, bool wheel) {
     ProfileFile& file = std::get<ProfileFile>(spec.shape);
     if (file.mirror_z) return spec;
@@ -138,12 +138,12 @@ GivenSurface slices_of(const std::filesystem::path& path, bool wheel, const Prof
     return surface;
 }
 
-/// A number that is not positive stands for what the program takes itself.
+/// Replaces a number that is not positive by CONTACT's default.
 double positive_or(double value, double otherwise) {
     return value > 0 ? value : otherwise;
 }
 
-/// Whatever makes a profile unusable has their subject.
+/// Runs `read`. Its InvalidArgument becomes a NotCovered with the subject `profile`.
 template <class Read>
 ReadProfile reading(const Read& read) {
     try {
@@ -158,7 +158,8 @@ ReadProfile reading(const Read& read) {
 ProfileOptions profile_options(const ProfileNumbers& numbers, const Units& units) {
     if (numbers.smoother < 0 || numbers.smoother > 2)
         throw NotCovered(Subject::profile,
-                         "iparam(6) is " + std::to_string(numbers.smoother) + "; use the smoothing method 0, 1 or 2.");
+                         "ISMOOTH = " + std::to_string(numbers.smoother) +
+                             " is not supported. Use 0, 1 or 2 (iparam(6) of cntc_setprofileinputfname).");
     ProfileOptions options;
     options.mirror_y = numbers.mirror_y;
     options.mirror_z = numbers.mirror_z;
@@ -169,7 +170,7 @@ ProfileOptions profile_options(const ProfileNumbers& numbers, const Units& units
     options.kinks.angle = positive_or(numbers.kink_high, usual.angle);
     options.kinks.rest = positive_or(numbers.kink_low, options.kinks.angle / 5);
     const double width = numbers.kink_width;
-    // Zeros alone ask for the usual rule; behind an angle a width of 0 is one.
+    // A width of 0 stands for the default unless an angle is given.
     const bool is_given = width > 0 || (width == 0 && numbers.kink_high > 0);
     options.kinks.width = is_given ? width * units.length : usual.width;
     return options;
@@ -190,7 +191,7 @@ ReadProfile profile_from_file(const std::string& name, const ProfileOptions& opt
 
 ReadProfile profile_from_values(std::span<const double> values, const ProfileOptions& options) {
     return reading([&] {
-        // It becomes the text of a file, so that all that may be said of one holds.
+        // The values become the text of a file, so that all options of files apply.
         std::string text;
         for (std::size_t i = 0; i + 1 < values.size(); i += 2)
             text += number_text(values[i]) + " " + number_text(values[i + 1]) + "\n";

@@ -17,7 +17,8 @@ namespace contactd::cases {
 namespace {
 
 const MaterialPair& materials_of(const Given& settings) {
-    if (!settings.materials) throw NotCovered(Subject::input, "No material was set; call cntc_setmaterialparameters.");
+    if (!settings.materials)
+        throw NotCovered(Subject::input, "No material constants were given (cntc_setmaterialparameters).");
     return *settings.materials;
 }
 
@@ -27,7 +28,7 @@ bool is_line(int option) {
     return option == -4 || option == -5;
 }
 
-/// The radius of a curvature a1, h = a1 x^2; a flat direction has none.
+/// Returns the radius for a curvature a1, h = a1 x^2, which is infinite in a flat direction.
 double radius(double curvature) {
     return curvature == 0 ? std::numeric_limits<double>::infinity() : 1 / (2 * curvature);
 }
@@ -36,7 +37,7 @@ double curvature(double radius) {
     return 1 / (2 * radius);
 }
 
-/// The load, from which Hertz's contact follows.
+/// The load that determines a Hertzian contact.
 struct Load {
     bool by_force;
     double compliance;  ///< 1/E* (mm^2/N)
@@ -46,13 +47,15 @@ struct Load {
         : by_force(settings.digits.normal == 1), compliance(materials_of(settings).normal_compliance()) {
         const auto& given = by_force ? settings.fn : settings.pen;
         if (!given)
-            throw NotCovered(Subject::input, by_force ? "No normal force was set; call cntc_setnormalforce."
-                                                      : "No penetration was set; call cntc_setpenetration.");
+            throw NotCovered(Subject::input, by_force ? "No normal force FN was given (cntc_setnormalforce)."
+                                                      : "No penetration PEN was given (cntc_setpenetration).");
         value = *given;
         if (!(value > 0))
-            throw NotCovered(Subject::input,
-                             "A Hertz contact has no size without load, so that its elements cannot be made; use "
-                             "cntc_setpotcontact where bodies may part.");
+            throw NotCovered(
+                Subject::input,
+                std::string(by_force ? "FN" : "PEN") +
+                    " must be positive for a Hertzian contact (IPOTCN < 0), whose elements follow from its "
+                    "size. Use IPOTCN = 1 to 4 if the bodies may separate (cntc_setpotcontact).");
     }
 
     Paraboloid radii(const SemiAxes& axes) const {
@@ -68,7 +71,8 @@ HertzResult by_curvatures(const HertzArea& area, const Load& load) {
     return {area.first, area.second, {contact.a, contact.b}, area.scale};
 }
 
-/// Semi-axes in the ratio a/b whose curvature along x is a1: curvatures go with their third or second power.
+/// Finds semi-axes in the ratio a/b with the curvature a1 along x. The curvature is proportional to b^-3 for a given
+/// force, and to b^-2 for a given approach.
 HertzResult by_curvature_and_ratio(const HertzArea& area, const Load& load) {
     const double of_unit = curvature(load.radii({area.second, 1}).Rx);
     const double b = load.by_force ? std::cbrt(of_unit / area.first) : std::sqrt(of_unit / area.first);
@@ -82,11 +86,14 @@ HertzResult by_semi_axes(const HertzArea& area, const Load& load) {
     return {curvature(gap.Rx), curvature(gap.Ry), axes, area.scale};
 }
 
-/// A cylinder pressed by P = Fn/(2 half width) per length: a^2 = 4 P R c/pi (Johnson, Contact Mechanics, 4.2(c)).
+/// Returns the contact of a cylinder under the load P = Fn/(2 half width) per length: a^2 = 4 P R c/pi (Johnson,
+/// Contact Mechanics, 4.2(c)).
 HertzResult line_contact(const HertzArea& area, const Load& load) {
     if (!load.by_force)
         throw NotCovered(Subject::input,
-                         "The penetration of a line contact does not tell its width; prescribe the normal force.");
+                         "IPOTCN = " + std::to_string(area.option) +
+                             ": the penetration PEN of a line contact does not determine its width. Prescribe FN with "
+                             "N = 1 (cntc_setnormalforce).");
     const double squared = 4 * load.value / (2 * area.second) * load.compliance / std::numbers::pi;  // a^2/R
     const bool by_curvature = area.option == -4;
     const double R = by_curvature ? radius(area.first) : area.first * area.first / squared;
@@ -115,14 +122,15 @@ HertzResult hertz_of(const HertzArea& area, const Given& settings) {
     return found;
 }
 
-/// How many rows of elements divide a line; the others lie beyond its ends, as many on either side.
+/// Returns the number of rows of elements that divide a line. The other rows lie beyond its ends, equally many on
+/// either side.
 int rows_of_line(int rows, double scale) {
     if (scale <= 1) return rows;
     const int inside = std::max(1, static_cast<int>(std::nearbyint(rows / scale)));
     return (rows - inside) % 2 == 0 ? inside : inside + 1;
 }
 
-/// A line contact ends at the given half width, between two rows of elements.
+/// Returns the grid. A line contact ends at the given half width, between two rows of elements.
 Grid grid_of(const HertzArea& area, const HertzResult& hertz) {
     const double width = 2 * hertz.axes.a * area.scale / area.mx;
     if (is_line(area.option))
@@ -134,7 +142,7 @@ const HertzArea* hertz_area(const Given& settings) {
     return std::get_if<HertzArea>(&settings.area);
 }
 
-/// Values of a function of x and y at the centres of the elements.
+/// Returns the values of a function of x and y at the centres of the elements.
 template <class Function>
 std::vector<double> sampled(const Grid& grid, const Function& h) {
     std::vector<double> values;
@@ -144,9 +152,9 @@ std::vector<double> sampled(const Grid& grid, const Function& h) {
     return values;
 }
 
-constexpr double excluded = 1e6;  ///< distance (mm) of elements that cannot touch: beyond any approach, and no infinity
+constexpr double excluded = 1e6;  ///< distance of elements outside the contact (mm): above any approach, but finite
 
-/// The distance of a cylinder; rows beyond its ends are far away.
+/// Returns the distance of a cylinder, with excluded rows beyond its ends.
 Gap gap_of_line(const HertzResult& hertz, const Grid& grid) {
     return sampled(grid, [&](double x, double y) { return std::abs(y) > hertz.axes.b ? excluded : hertz.a1 * x * x; });
 }
@@ -164,7 +172,7 @@ Gap gap_of(const Quadratic& quadratic, const Grid& grid) {
     return sampled(grid, quadratic);
 }
 
-/// On straight lines, also beyond the first and the last height.
+/// Interpolates linearly, and extrapolates beyond the first and last height.
 double height_at(const RoundProfile& profile, double y) {
     const auto& heights = profile.heights;
     if (heights.size() == 1) return heights.front();
@@ -188,18 +196,19 @@ Gap gap_of(const Waves& waves, const Grid& grid) {
 
 Gap gap_of(const std::vector<double>& values, const Grid& grid) {
     if (values.size() != grid.size())
-        throw NotCovered(Subject::input, "The undeformed distance has " + std::to_string(values.size()) +
-                                             " values; there are " + std::to_string(grid.size()) + " elements.");
+        throw NotCovered(Subject::input, "The undeformed distance (IBASE = 9) has " + std::to_string(values.size()) +
+                                             " values, but there are MX MY = " + std::to_string(grid.size()) +
+                                             " elements.");
     return values;
 }
 
 Gap distance_on(const Grid& grid, const Given& settings) {
     if (!settings.distance)
-        throw NotCovered(Subject::input, "No undeformed distance was set; call cntc_setundeformeddistc.");
+        throw NotCovered(Subject::input, "No undeformed distance IBASE was given (cntc_setundeformeddistc).");
     return std::visit([&](const auto& distance) { return gap_of(distance, grid); }, *settings.distance);
 }
 
-/// Which elements cannot touch; empty: all can.
+/// Returns the elements outside the planform, or an empty list if there are none.
 std::vector<bool> outside_of(const Planform& planform, const Grid& grid) {
     std::vector<bool> outside;
     if (const auto* conic = std::get_if<Quadratic>(&planform)) {
@@ -240,7 +249,7 @@ void take_planform(const Planform& planform, Area& area) {
 
 HertzResult hertz_of(const Given& settings) {
     const HertzArea* area = hertz_area(settings);
-    if (area == nullptr) throw NotCovered(Subject::input, "No Hertz contact was set; call cntc_sethertzcontact.");
+    if (area == nullptr) throw NotCovered(Subject::input, "No Hertzian contact was given (cntc_sethertzcontact).");
     return hertz_of(*area, settings);
 }
 
@@ -249,7 +258,7 @@ Grid grid_of(const Given& settings) {
     const HertzArea* area = hertz_area(settings);
     if (area == nullptr)
         throw NotCovered(Subject::discretisation,
-                         "No elements were set; call cntc_sethertzcontact or cntc_setpotcontact.");
+                         "No potential contact IPOTCN was given (cntc_sethertzcontact or cntc_setpotcontact).");
     return grid_of(*area, hertz_of(*area, settings));
 }
 

@@ -27,7 +27,8 @@ CaseModels models_of(const Given& settings) {
     }
     if (bodies == fastrip && bound == parabolic)
         throw NotCovered(Subject::input,
-                         "Flag 1971 is 3, a parabolic bound, which FaStrip does not have; set it to 2.");
+                         "Control digit B = 3 (flag 1971) is not supported with M = 5: FaStrip has no parabolic bound. "
+                         "Use B = 2.");
     found.model = bodies == fastsim ? Model::fastsim : Model::fastrip;
     found.simplified.slope = settings.slope;
     found.simplified.blended = true;
@@ -52,8 +53,10 @@ MaterialPair solved_materials(const MaterialPair& given) {
 std::optional<InterfacialLayer> layer_of(const Given& settings) {
     if (settings.digits.material != layered) return {};
     if (!settings.layer)
-        throw NotCovered(Subject::input,
-                         "Flag 1979 is 4, and no interfacial layer was set; call cntc_setmaterialparameters with 4.");
+        throw NotCovered(
+            Subject::input,
+            "Control digit M = 4 (flag 1979) requires an interfacial layer, but none was given (method 4 of "
+            "cntc_setmaterialparameters).");
     return settings.layer;
 }
 
@@ -65,9 +68,8 @@ std::string warning_of_memory(const Given& settings) {
     if (!settings.friction || !settings.friction->law.kinetic || models_of(settings).model == Model::full) return {};
     const auto& memory = settings.friction->law.kinetic->memory;
     if (!memory) return {};
-    return "memdst = " + number_text(memory->distance) +
-           " mm has no effect: FASTSIM and FaStrip have one coefficient of friction for the whole contact, without "
-           "memory.";
+    return "MEMDST = " + number_text(memory->distance) +
+           " mm has no effect: FASTSIM and FaStrip use one friction coefficient for the whole contact, without memory.";
 }
 
 }  // namespace contactd::cases

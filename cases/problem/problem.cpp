@@ -19,17 +19,17 @@ namespace {
 
 enum Tangential { none = 0, shift = 1, transient = 2, steady = 3 };
 enum Previous { from_pressures = 1, anew = 2, again = 3 };
-constexpr int of_sheet = 1;  // B
-constexpr int of_file = 9;   // C
+constexpr int of_sheet = 1;  // value of B
+constexpr int of_file = 9;   // value of C
 
-/// Pressures over two half ellipses and their shape go together.
+/// Throws NotCovered unless pressures and shape are both those of two half ellipses, or neither is.
 void require_half_ellipses(const ContactProblem& problem, const Given& settings) {
     constexpr int half_ellipses = 4;
     const bool has_bound = settings.digits.bound == half_ellipses;
     if (has_bound != std::holds_alternative<HalfEllipses>(*problem.gap))
         throw NotCovered(Subject::input,
-                         "Flag 1971 = 4 and ipotcn = -6 of cntc_sethertzcontact, pressures over two half ellipses, go "
-                         "together. Set both or neither.");
+                         "Control digit B = 4 (flag 1971) and IPOTCN = -6 (cntc_sethertzcontact) require each other: "
+                         "they describe pressures over two half ellipses. Use both or neither.");
 }
 
 Ics coefficients(const Given& settings) {
@@ -39,7 +39,7 @@ Ics coefficients(const Given& settings) {
 }
 
 const GivenFriction& friction_of(const Given& settings) {
-    if (!settings.friction) throw NotCovered(Subject::friction, "No friction was set; call cntc_setfrictionmethod.");
+    if (!settings.friction) throw NotCovered(Subject::friction, "No friction was given (cntc_setfrictionmethod).");
     return *settings.friction;
 }
 
@@ -47,34 +47,37 @@ bool varies_by_row(const Given& settings) {
     return friction_of(settings).method / 10 == varies::by_row;
 }
 
-/// Friction of rows has their coefficients at rest. What it falls by, with the slip or the temperature, is the same in
-/// all.
+/// Returns the law on a grid. Friction by rows varies the coefficient at rest. Its dependence on slip or temperature is
+/// the same in all rows.
 FrictionLaw law_on(const Grid& grid, const GivenFriction& friction) {
     FrictionLaw law = friction.law;
     if (friction.by_row.empty()) return law;
     if (friction.by_row.size() != static_cast<std::size_t>(grid.ny))
         throw NotCovered(Subject::friction, "Friction by rows (V = 3) has " + std::to_string(friction.by_row.size()) +
-                                                " rows; there are " + std::to_string(grid.ny) + " of elements.");
+                                                " rows, but there are MY = " + std::to_string(grid.ny) +
+                                                " rows of elements.");
     law.mu.clear();
     for (const FrictionLaw& row : friction.by_row) {
         if (row.kinetic != law.kinetic)
             throw NotCovered(Subject::friction,
-                             "contactd does not have: falling friction that is another one from place to place (V).");
+                             "Falling friction (L = 2, 3 or 4) that differs between rows (V = 3) is not supported. Use "
+                             "the same law in all rows.");
         if (row.temperature != law.temperature)
-            throw NotCovered(
-                Subject::friction,
-                "contactd does not have: friction by temperature that is another one from row to row (V, L = 6).");
+            throw NotCovered(Subject::friction,
+                             "Temperature-dependent friction (L = 6) that differs between rows (V = 3) is not "
+                             "supported. Use the same TREF, DFHEAT and DTHEAT in all rows.");
         law.mu.insert(law.mu.end(), static_cast<std::size_t>(grid.nx), row.mu[0]);
     }
     return law;
 }
 
-/// Laws that fall with the slip velocity need to know it.
+/// Throws NotCovered if a law needs the slip velocity of a shift, but the time step is missing.
 void require_velocity(const Given& settings, bool rolls) {
     if (!friction_of(settings).law.kinetic) return;
     if (!rolls && !settings.time_step)
         throw NotCovered(Subject::friction,
-                         "Friction falls with the slip velocity, and no time step was set; call cntc_settimestep.");
+                         "Friction falls with the slip velocity, but no time step was given for the shift "
+                         "(cntc_settimestep).");
 }
 
 Force force_of(const Given& settings, const ContactProblem& problem,
@@ -82,16 +85,17 @@ Force force_of(const Given& settings, const ContactProblem& problem,
     const int prescribed = settings.digits.force;
     if (prescribed == 0) return {};
     if (!settings.force)
-        throw NotCovered(Subject::input, "No tangential force was set; call cntc_settangentialforces.");
+        throw NotCovered(Subject::input, "No tangential force FX was given (cntc_settangentialforces).");
     if (!problem.Fn && (problem.bodies.any_viscoelastic() || !problem.bodies.materials().quasi_identical()))
-        throw NotCovered(
-            Subject::input,
-            "Tangential forces are relative to the normal force, which is not known before the solve where "
-            "the penetration is prescribed and the bodies differ or creep; prescribe the normal force.");
+        throw NotCovered(Subject::input,
+                         "Control digit F = " + std::to_string(prescribed) +
+                             " (flag 1974) with N = 0 is not supported for dissimilar or viscoelastic bodies: FX and "
+                             "FY are relative to the normal force, which is not known before the solve. Prescribe FN "
+                             "with N = 1 (cntc_setnormalforce).");
     const double coefficient = varies_by_row(settings) ? 1 : friction_of(settings).law.mu[0];
     const double unit = coefficient * (problem.Fn ? *problem.Fn : normal_force(problem));
-    // A force beyond friction becomes that of full slip along it, which only ever larger creepages come near;
-    // from a millionth below on the solver refuses it.
+    // A force beyond friction becomes that of nearly full slip in its direction. Full slip would require unlimited
+    // creepages, and the solver refuses forces from a millionth below it on.
     constexpr double full_slip = 1 - 2e-6;
     const double x = settings.force->x, y = prescribed == 2 ? settings.force->y : 0;
     const double size = std::hypot(x, y), scale = unit * (size > full_slip ? full_slip / size : 1);
@@ -101,7 +105,7 @@ Force force_of(const Given& settings, const ContactProblem& problem,
     return force;
 }
 
-/// Spin may act along x or along y alone: it is slip of the elements then.
+/// Returns whether spin acts along x or y alone, so that it becomes a slip of the elements.
 bool has_split_spin(const Given& settings) {
     return settings.digits.extra_slip == 2 || settings.digits.extra_slip == 3;
 }
@@ -141,13 +145,13 @@ Motion rolling_of(const Given& settings, const PlaneMotion& given, const Force& 
     motion.dq = grid.dx;
     if (settings.digits.tangential == steady) return motion;
     if (!settings.dq)
-        throw NotCovered(Subject::discretisation, "No rolling step was set; call cntc_setrollingstepsize.");
+        throw NotCovered(Subject::discretisation, "No rolling step DQ was given (cntc_setrollingstepsize).");
     motion.kind = RollingKind::transient;
     motion.dq = *settings.dq;
     return motion;
 }
 
-/// Slip by the spin that acts in one direction alone, evaluated ahead of the centres of the elements as all spin is.
+/// Returns the slip by spin along x or y alone. Like all spin, it is evaluated ahead of the element centres.
 RigidSlip slip_of_spin(const Given& settings, const Grid& grid, const Motion& motion) {
     const auto* rolling = std::get_if<Rolling>(&motion);
     const GivenMotion given = settings.motion.value_or(GivenMotion{});
@@ -171,7 +175,10 @@ RigidSlip extra_slip(const Given& settings, const Grid& grid, const Motion& moti
     if (has_split_spin(settings)) return slip_of_spin(settings, grid, motion);
     const bool rolls = std::holds_alternative<Rolling>(motion);
     if (!settings.extra_slip)
-        throw NotCovered(Subject::input, "No rigid slip of the elements was set; call cntc_setextrarigidslip.");
+        throw NotCovered(Subject::input,
+                         "Control digit E = " + std::to_string(settings.digits.extra_slip) +
+                             " (flag 1980) requires an extra rigid slip of each element, but none was given "
+                             "(cntc_setextrarigidslip).");
     RigidSlip slip{settings.extra_slip->x, settings.extra_slip->y};
     if (!rolls)
         for (auto* component : {&slip.x, &slip.y})
@@ -186,7 +193,10 @@ void add_friction(ContactProblem& problem, const Given& settings,
     const bool rolls = kind != shift;
     const GivenFriction& friction = friction_of(settings);
     if (settings.digits.friction_law != friction.method % 10)
-        throw NotCovered(Subject::friction, "Flag 1976 and cntc_setfrictionmethod name different laws.");
+        throw NotCovered(Subject::friction, "Control digit L = " + std::to_string(settings.digits.friction_law) +
+                                                " (flag 1976) differs from the given friction law " +
+                                                std::to_string(friction.method % 10) +
+                                                ". Use the same law in both (cntc_setfrictionmethod).");
     require_velocity(settings, rolls);
     const Force force = force_of(settings, problem, normal_force);
     const PlaneMotion given = motion_of_plane(settings, rolls);
@@ -204,7 +214,7 @@ SurfaceState state_of(const ContactSolution& solution) {
             solution.friction_coefficient};
 }
 
-/// The motion that a force made of the last case is where the search for the next one starts.
+/// Starts the search for a motion under a prescribed force from the motion found in the last case.
 void estimate_motion(ContactProblem& problem, const Motion& found) {
     if (auto* next = std::get_if<Rolling>(&problem.motion)) {
         const auto* last = std::get_if<Rolling>(&found);
@@ -220,7 +230,7 @@ void estimate_motion(ContactProblem& problem, const Motion& found) {
     if (next.force.Fy) next.rigid_shift.y = last->rigid_shift.y;
 }
 
-/// Tells whether a case starts from the end of one before.
+/// Returns whether a case continues from the end of an earlier one.
 bool goes_on(const Given& settings) {
     const int kind = settings.digits.tangential;
     return settings.digits.previous != anew && (kind == shift || kind == transient);
@@ -240,26 +250,28 @@ void continue_from(ContactProblem& problem, const Given& settings, const LastCas
 }  // namespace
 
 void refuse_history_of_pressures() {
-    throw NotCovered(
-        Subject::input,
-        "Flag 1970 = 1: a step that starts from the pressures of the last case, without its tractions, is not "
-        "supported. Set it to 0, 2 or 3.");
+    throw NotCovered(Subject::input,
+                     "Control digit P = 1 (flag 1970) is not supported: a step that starts from the pressures of the "
+                     "last case without its tractions. Use 0, 2 or 3.");
 }
 
 std::optional<ThermalBodies> heat_of(const Given& settings) {
     if (settings.digits.heat == 0) return std::nullopt;
     if (settings.digits.tangential != steady)
-        throw NotCovered(
-            Subject::input,
-            "Temperatures (flag 1982) are those of steady rolling; set flag 1972 to 3, or flag 1982 to 0.");
+        throw NotCovered(Subject::input, "Control digit H = " + std::to_string(settings.digits.heat) +
+                                             " (flag 1982) is not supported without steady rolling. Use T = 3 (flag "
+                                             "1972), or H = 0 for no temperatures.");
     if (!settings.heat)
-        throw NotCovered(Subject::input, "Nothing was set of heat; call cntc_settemperaturedata with method 3.");
+        throw NotCovered(Subject::input, "Control digit H = " + std::to_string(settings.digits.heat) +
+                                             " (flag 1982) requires thermal data of the bodies, but none were given "
+                                             "(cntc_settemperaturedata with method 3).");
     return settings.heat;
 }
 
 ContactProblem problem_of(const Given& settings, const LastCase* last,
                           const std::function<double(const ContactProblem&)>& normal_force) {
-    if (!settings.materials) throw NotCovered(Subject::input, "No material was set; call cntc_setmaterialparameters.");
+    if (!settings.materials)
+        throw NotCovered(Subject::input, "No material constants were given (cntc_setmaterialparameters).");
     const bool continues = last != nullptr && goes_on(settings);
     if (continues && settings.digits.previous == from_pressures) refuse_history_of_pressures();
     Area area = area_of(settings, continues ? &last->problem.grid : nullptr);
@@ -271,7 +283,9 @@ ContactProblem problem_of(const Given& settings, const LastCase* last,
     problem.bodies = Bodies::of(solved_materials(*settings.materials), coefficients(settings));
     if (settings.digits.influence == of_file) {
         if (!settings.coefficients)
-            throw NotCovered(Subject::input, "C = 9 (flag 1978): a file of CONTACT alone can set coefficients.");
+            throw NotCovered(Subject::input,
+                             "Control digit C = 9 (flag 1978) requires coefficients that only an input file can give "
+                             "(cntc_readinpfile).");
         problem.bodies.pair = with_offsets(*settings.coefficients, problem.grid);
     }
     problem.settings = settings.solvers;
@@ -283,19 +297,19 @@ ContactProblem problem_of(const Given& settings, const LastCase* last,
     problem.normal_model = models.normal_model;
     problem.simplified = models.simplified;
     if (settings.digits.normal == 1) {
-        if (!settings.fn) throw NotCovered(Subject::input, "No normal force was set; call cntc_setnormalforce.");
+        if (!settings.fn) throw NotCovered(Subject::input, "No normal force FN was given (cntc_setnormalforce).");
         problem.Fn = settings.fn;
     } else {
-        if (!settings.pen) throw NotCovered(Subject::input, "No penetration was set; call cntc_setpenetration.");
+        if (!settings.pen) throw NotCovered(Subject::input, "No penetration PEN was given (cntc_setpenetration).");
         problem.approach = settings.pen;
     }
     if (settings.creep) {
-        // The curvatures of an ellipse are those of the bodies at once.
+        // The curvatures of a given ellipse follow from the immediate response, without creep.
         if (const auto paraboloid = paraboloid_of(problem)) problem.gap = *paraboloid;
         problem.bodies.upper.viscoelastic = settings.creep->front();
         problem.bodies.lower.viscoelastic = settings.creep->back();
     }
-    validate_opening(problem);  // friction comes
+    validate_opening(problem);  // Friction is added below.
     add_friction(problem, settings, normal_force);
     if (last != nullptr) continue_from(problem, settings, *last);
     validate(problem);

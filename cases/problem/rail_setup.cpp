@@ -17,20 +17,19 @@ enum Force { longitudinal = 1, springs = 3 };
 enum Surfaces { plane = 2, slip_of_surfaces = 3, curved = 4, mesh = 5 };
 constexpr int rotated_half_spaces = 4, of_sheet = 1;
 
-/// By how much distances that are the same to other programs are apart here (mm).
+/// The smallest difference (mm) between distances that may be equal in CONTACT, but not here.
 constexpr double near = 1e-6;
 
 double outwards(const Given& settings) {
     return on_left_side(settings) ? -1 : 1;
 }
 
-/// Returns whether a roller's surface leans with its profile, by its deviation or its cant; of rails the profile alone
-/// does.
+/// Returns whether the surface of a roller leans, by its deviation or its cant. On rails only the profile leans.
 bool leans(const GivenRail& rail) {
     return rail.deviation.roll != 0 || rail.track.cant != 0;
 }
 
-/// A roller goes along with its axle where its profile is placed itself.
+/// Returns the vertical deviation of a roller whose profile is placed directly, and which moves with its axle.
 double sunk(const Given& settings, const GivenRail& rail) {
     return on_roller(settings) && rail.track.gauge_height <= 0 && !leans(rail) ? rail.deviation.z : 0;
 }
@@ -47,11 +46,11 @@ Track track_of(const Given& settings, const GivenRail& rail) {
     track.cant = given.cant;
     if (on_roller(settings)) {
         if (!(given.roller_radius > 0))
-            throw NotCovered(Subject::input, "The radius of the roller is not positive; call cntc_settrackdimensions.");
+            throw NotCovered(Subject::input, "The roller radius NOMRADR must be positive (cntc_settrackdimensions).");
         if (rail.deviation.z != 0 && given.gauge_height > 0)
             throw NotCovered(Subject::input,
-                             "The roller deviates with its axle, which contactd has only where its profile is placed "
-                             "itself (gaught <= 0).");
+                             "DZRAIL moves a roller with its axle, which is only supported if RAILY0 and RAILZ0 place "
+                             "its profile (GAUGHT <= 0). Use DZRAIL = 0 or GAUGHT <= 0 (cntc_settrackdimensions).");
         track.roller_radius = given.roller_radius;
         track.roller_leans = leans(rail);
         return track;
@@ -64,7 +63,8 @@ Track track_of(const Given& settings, const GivenRail& rail) {
     return track;
 }
 
-/// Only where the profile lies along the axle matters, so that distances that no flanges have become others.
+/// Returns the wheelset. Only the position of the profile along the axle has an effect, so a distance of flange backs
+/// that is not positive is replaced together with the flange position.
 Wheelset wheelset_of(Wheelset given) {
     double& distance = given.flange_back_distance;
     double& position = given.flange_back_position;
@@ -87,14 +87,14 @@ PatchRules patches_of(const GivenElements& given, const Given& settings) {
     return rules;
 }
 
-/// Half-spaces that turn, by their variant: both loads and displacements turn by 4, displacements alone by 3.
+/// Returns the kind of rotated half-spaces: variant 4 rotates loads and displacements, variant 3 only displacements.
 Conformal rotated_of(int variant) {
     constexpr int of_displacements = 3;
     if (variant < of_displacements)
         throw NotCovered(
             Subject::other,
-            "contactd does not have: half-spaces that turn with their loads (C = 4, VARIANT = 1, 2). Set flag "
-            "1990 to 3 or 4.");
+            "VARIANT = " + std::to_string(variant) +
+                " (flag 1990) is not supported with C = 4: half-spaces that rotate only the loads. Use 3 or 4.");
     return variant == of_displacements ? Conformal::rotated_displacements : Conformal::rotated;
 }
 
@@ -109,12 +109,13 @@ Conformal conformal_of(const Given& settings) {
         return is_rotated ? rotated_of(settings.digits.variant) : Conformal::half_space;
     if (is_rotated)
         throw NotCovered(Subject::input,
-                         "Half-spaces that turn (flag 1978 is 4) are those of a curved contact; set flag 1977 to 4.");
+                         "Control digit C = 4 (flag 1978), rotated half-spaces, requires a curved contact. Use D = 4 "
+                         "(flag 1977).");
     return Conformal::off;
 }
 
-/// Angles are those against the wheel's profile where the contact is a plane, and else against the track; contactd's
-/// are against the track, and of left wheels those of the mirror image.
+/// Returns friction by angle. CONTACT's angles are relative to the wheel profile in planar contacts, and to the track
+/// in curved ones. contactd's angles are relative to the track, and for left wheels to that of the mirror image.
 WheelRailFriction by_angle(const Given& settings, const std::vector<GivenFriction::AtAngle>& laws, double roll) {
     const bool is_curved = settings.digits.discretisation == curved;
     const double offset = is_curved ? 0 : outwards(settings) * roll;
@@ -125,7 +126,10 @@ WheelRailFriction by_angle(const Given& settings, const std::vector<GivenFrictio
     friction.layer = layer_of(settings);
     for (const auto& [angle, law] : laws) {
         if (law.kinetic != friction.kinetic)
-            throw NotCovered(Subject::friction, "Friction falls otherwise from angle to angle; give one fall for all.");
+            throw NotCovered(
+                Subject::friction,
+                "Falling friction (L = 2, 3 or 4) that differs between angles (V = 1) is not supported. Use "
+                "the same law at all angles.");
         friction.mu.push_back({angle + offset, law.mu[0]});
         if (const auto& heated = law.temperature) {
             friction.temperature_by_angle.push_back({angle + offset, heated->change, heated->reference, heated->range});
@@ -136,10 +140,13 @@ WheelRailFriction by_angle(const Given& settings, const std::vector<GivenFrictio
 }
 
 WheelRailFriction friction_of(const Given& settings, const GivenRail& rail) {
-    if (!settings.friction) throw NotCovered(Subject::friction, "No friction was set; call cntc_setfrictionmethod.");
+    if (!settings.friction) throw NotCovered(Subject::friction, "No friction was given (cntc_setfrictionmethod).");
     const GivenFriction& given = *settings.friction;
     if (settings.digits.friction_law != given.method % 10)
-        throw NotCovered(Subject::friction, "Flag 1976 and cntc_setfrictionmethod name different laws.");
+        throw NotCovered(Subject::friction, "Control digit L = " + std::to_string(settings.digits.friction_law) +
+                                                " (flag 1976) differs from the given friction law " +
+                                                std::to_string(given.method % 10) +
+                                                ". Use the same law in both (cntc_setfrictionmethod).");
     if (!given.by_angle.empty()) return by_angle(settings, given.by_angle, rail.position.roll);
     const FrictionLaw law = friction_at(given, rail.position.x);
     return {{{0, law.mu[0]}}, false, law.kinetic, layer_of(settings), law.temperature};
@@ -173,11 +180,12 @@ WheelRailSetup setup_of(const Given& settings, const GivenRail& rail) {
     for (const auto& [surface, name] : {std::pair{&rail.rail, "rail"}, std::pair{&rail.wheel, "wheel"}})
         if (surface->empty())
             throw NotCovered(Subject::profile, "No profile of the " + std::string(name) +
-                                                   " was set; call cntc_setprofileinputfname or "
-                                                   "cntc_setprofileinputvalues.");
-    if (!settings.materials) throw NotCovered(Subject::input, "No material was set; call cntc_setmaterialparameters.");
+                                                   " was given (cntc_setprofileinputfname or "
+                                                   "cntc_setprofileinputvalues).");
+    if (!settings.materials)
+        throw NotCovered(Subject::input, "No material constants were given (cntc_setmaterialparameters).");
     if (!rail.elements)
-        throw NotCovered(Subject::discretisation, "No sizes of elements were set; call cntc_setpotcontact.");
+        throw NotCovered(Subject::discretisation, "No element sizes DX and DS were given (cntc_setpotcontact).");
     WheelRailSetup setup = outline_of(settings, rail);
     setup.bodies = Bodies::of(solved_materials(*settings.materials));
     if (settings.digits.bound == of_sheet) setup.sheet_flexibility = settings.sheet;
@@ -196,10 +204,11 @@ WheelRailSetup setup_of(const Given& settings, const GivenRail& rail) {
     setup.conformal = conformal_of(settings);
     const CaseModels models = models_of(settings);
     if (models.model != Model::full && models.normal_model == NormalModel::of_model)
-        throw NotCovered(
-            Subject::input,
-            "The simplified theory on pressures of the full theory (flag 1971 is 0) is not there for a wheel on "
-            "a rail; set flag 1971 to 5 or 6, or flag 1979 to 0.");
+        throw NotCovered(Subject::input,
+                         "Control digit M = " + std::to_string(settings.digits.material) +
+                             " (flag 1979) with B = " + std::to_string(settings.digits.bound) +
+                             " (flag 1971) is not supported for a wheel on a rail: FASTSIM and FaStrip require the "
+                             "pressures of KPEC or ANALYN. Use B = 5 or 6, or M = 0.");
     setup.model = models.model;
     if (setup.friction) forget_memory(setup.friction->kinetic, setup.model);
     setup.normal_model = models.normal_model;
@@ -225,13 +234,13 @@ WheelRailState placed_state(const Given& settings, const GivenRail& rail) {
     return state;
 }
 
-/// Returns the pitch rate without creepage, near which the one that brings Fx is found.
+/// Returns the pitch rate without creepage, from which the search for a prescribed Fx starts.
 double free_pitch_rate(const GivenRail& rail, const WheelRailState& state) {
     return -(state.velocity.x + state.roller_pitch * rail.track.roller_radius) / rail.wheelset.nominal_radius;
 }
 
-/// In a plane a wheel that is displaced along the track turns about the axle of the rigid wheelset; contactd's turns
-/// about an axle that goes along with it.
+/// In planar contacts, CONTACT rotates a wheel that is displaced along the track about the axle of the rigid wheelset,
+/// while contactd displaces the axle, too. Adds the difference of the velocities.
 void rotate_about_rigid_axle(WheelRailState& state, double pitch_rate) {
     state.wheel.y_velocity += state.wheel.x * state.velocity.yaw;
     state.wheel.z_velocity -= state.wheel.x * pitch_rate;
@@ -247,25 +256,28 @@ WheelRailState state_of(const Given& settings, const GivenRail& rail) {
         state.rail.Fz = rail.track.spring_force_z;
     }
     if (settings.digits.normal == 1) {
-        if (!rail.Fz) throw NotCovered(Subject::input, "No vertical force was set; call cntc_setverticalforce.");
+        if (!rail.Fz) throw NotCovered(Subject::input, "No vertical force FZ was given (cntc_setverticalforce).");
         state.Fz = rail.Fz;
     } else if (!state.position.z) {
-        throw NotCovered(Subject::input,
-                         "No height of the wheelset was set; call cntc_setwheelsetposition, or cntc_setverticalforce.");
+        throw NotCovered(
+            Subject::input,
+            "No height Z_WS of the wheelset was given (cntc_setwheelsetposition), and no vertical force FZ "
+            "(cntc_setverticalforce). Give one of them.");
     }
     if (force == longitudinal) {
-        if (!rail.Fx) throw NotCovered(Subject::input, "No longitudinal force was set; call cntc_settangentialforces.");
+        if (!rail.Fx)
+            throw NotCovered(Subject::input, "No longitudinal force FX was given (cntc_settangentialforces).");
         state.Fx = rail.Fx;
-        if (state.velocity.pitch == 0) state.velocity.pitch = free_pitch_rate(rail, state);  // where the search starts
+        if (state.velocity.pitch == 0) state.velocity.pitch = free_pitch_rate(rail, state);  // start of the search
     }
-    // Velocities of a shift are increments: those of a second.
+    // The velocities of a shift are increments of position, so they apply for one second.
     if (tangential == shift) {
         state.motion = WheelRailMotion::shift;
         state.time_step = 1;
     } else if (tangential == transient) {
         state.motion = WheelRailMotion::transient_rolling;
     }
-    // Those of a plane patch are found when they are asked for.
+    // Displacements of planar patches are computed on request.
     state.displacements = models_of(settings).model == Model::full && conformal_of(settings) != Conformal::off;
     return state;
 }

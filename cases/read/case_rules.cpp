@@ -51,7 +51,7 @@ void go_on(Reading& reading, const History& history) {
         reading.fail_case("has C = 0 between a shift and rolling; set C to 1 or more");
 }
 
-/// Digits that do not go with each other.
+/// Adds errors for digits that are inconsistent with each other.
 void check_digits(Reading& reading) {
     const auto is = [&](const char* name, int value) { return reading.digit(name) == value; };
     if (reading.digit("H") > 0 && !is("T", 3))
@@ -63,7 +63,7 @@ void check_digits(Reading& reading) {
         reading.fail_case("has F = 1 with N = 0; a given FX requires a given FZ (N = 1)");
 }
 
-/// Digits that keep something have what they keep as values.
+/// Stores digits that later cases can keep as values.
 void note_kept(Reading& reading) {
     const auto note = [&](const char* name, const char* digit, bool is_new) {
         if (is_new) reading.set(name, reading.digit(digit));
@@ -78,7 +78,7 @@ void note_kept(Reading& reading) {
         note("EXRHS", "E", reading.digit("E") != 1);
 }
 
-/// Says which value a digit needs that was never read.
+/// Adds an error for a value that a digit requires and no case has given.
 void need(Reading& reading, bool is_needed, const char* value, const char* by) {
     if (is_needed && !reading.has(value))
         reading.fail_case("ends a case with " + setting(reading, by) + ", which requires " + value +
@@ -122,7 +122,7 @@ void check_needs_on_rails(Reading& reading) {
     need(reading, reading.digit("F") == 3, "KYRAIL", "F");
 }
 
-/// Tells whether normal and tangential problem are coupled, by Dundurs' constant K.
+/// Returns whether Dundurs' constant K is so small that the normal and tangential problems are not coupled.
 bool are_bodies_alike(const Reading& reading) {
     const double g1 = reading.real("GG1"), g2 = reading.real("GG2");
     const double g = 2 / (1 / g1 + 1 / g2);
@@ -142,7 +142,7 @@ void check_values_alone(Reading& reading) {
         reading.fail_case("ends a case with B = 4, which requires IPOTCN = -6 and N = 1");
 }
 
-/// The numbers of each set by SVF.
+/// Returns the numbers of each set with their place SVF.
 std::vector<ContactFrictionAtPlace> track_of(const ContactFrictionSets& sets, int law) {
     std::vector<ContactFrictionAtPlace> track;
     for (const ByName<double>& set : sets) {
@@ -162,7 +162,7 @@ void warn_of_thin_friction(Reading& reading) {
         reading.warn("ends a case with " + std::string(place) + " = " + plain_text(reading.real(place)) +
                      ", between friction at SVF = " + plain_text(thin->from) + " and " + plain_text(thin->to) +
                      " mm, whose coefficients differ by " + plain_text(thin->difference) +
-                     "; a straight line between these is a guess. Give friction at more places");
+                     ". Interpolation over such a distance is uncertain. Give friction at more places");
 }
 
 }  // namespace
@@ -200,7 +200,7 @@ void apply_digits(Reading& reading, const History& history) {
 
 void apply_values(Reading& reading) {
     check_needs(reading);
-    const bool turn = reading.integer("INFLCF") == 4;  // half-spaces, which couples both problems
+    const bool turn = reading.integer("INFLCF") == 4;  // Rotated half-spaces couple both problems.
     if (reading.has("POISS1") && are_bodies_alike(reading) && !turn) reading.set("MAXOUT", 1);
     if (reading.result.module_number == 1) {
         check_needs_on_rails(reading);

@@ -10,7 +10,7 @@
 namespace contactd::contact_files {
 namespace {
 
-constexpr int most_sets = 10;  // of V = 1 and 2
+constexpr int most_sets = 10;  // for V = 1 and 2
 constexpr double least_share = 1e-8, least_slip_velocity = 1e-4;
 
 constexpr std::array<std::string_view, 2> of_coulomb{"FSTAT", "FKIN"};
@@ -23,7 +23,7 @@ std::string group_of_law(int law) {
     return group;
 }
 
-/// A set of numbers, as the program takes them.
+/// Reads a set of numbers, and raises slip velocities of terms that are zero, as CONTACT does.
 ByName<double> read_set(Reading& reading, const std::string& group) {
     ByName<double> set;
     for (const auto& [name, value] : read_values(reading, group)) set[name] = std::get<double>(value);
@@ -36,7 +36,7 @@ ByName<double> read_set(Reading& reading, const std::string& group) {
     raise("F2", "SABSH2");
     if (set.contains("FSTAT") && std::abs(set["FSTAT"] - set["FKIN"]) > 1e-3 * std::abs(set["FSTAT"]))
         reading.fail_case(
-            "has different FSTAT and FKIN; with L = 0 they must be equal, and with L = 2, 3 or 4 friction falls with "
+            "has different FSTAT and FKIN; use equal values with L = 0, or L = 2, 3 or 4 for friction that falls with "
             "slip");
     return set;
 }

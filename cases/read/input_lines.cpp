@@ -19,7 +19,7 @@ bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/// The end of the digits that begin at `at`.
+/// Returns the end of the digits that begin at `at`.
 std::size_t past_digits(std::string_view word, std::size_t at) {
     while (at < word.size() && is_digit(word[at])) ++at;
     return at;
@@ -29,7 +29,7 @@ std::size_t past_sign(std::string_view word, std::size_t at) {
     return at < word.size() && (word[at] == '+' || word[at] == '-') ? at + 1 : at;
 }
 
-/// A real as from_chars takes it; empty where the word is none.
+/// Converts a real to the syntax of from_chars. Returns an empty string for an invalid word.
 std::string plain_real(std::string_view word) {
     const std::size_t whole = past_sign(word, 0);
     std::size_t at = past_digits(word, whole), digits = at - whole;
@@ -84,7 +84,7 @@ InputLines::InputLines(std::string_view text, const std::string& name, const Obs
     if (text.size() > most_contact_file_bytes)
         throw InvalidArgument(name, "has " + std::to_string(text.size()) +
                                         " bytes; an input file of CONTACT may have at most " +
-                                        std::to_string(most_contact_file_bytes) + ": divide it");
+                                        std::to_string(most_contact_file_bytes) + ": divide the file");
     if (rest_.find('\0') != rest_.npos)
         throw InvalidArgument(
             name, "is not a text file, because it contains zero bytes; give an input file of CONTACT (.inp)");
@@ -100,7 +100,7 @@ bool InputLines::next() {
         if (line.ends_with('\r')) line.remove_suffix(1);
         what_is_cut_ = line.size() > longest_line ? "has more than 256 characters" : nullptr;
         line = line.substr(0, longest_line);
-        // CONTACT sees without heed to quotes that a line is empty.
+        // CONTACT ignores quotation marks when it looks for empty lines.
         if (line.substr(0, line.find('%')).find_first_not_of(" \t\r") == line.npos) continue;
         split(line);
         if (!words_.empty()) return true;

@@ -13,10 +13,10 @@
 namespace contactd {
 namespace contact_files {
 
-/// Which memory a case has: module, result element and contact problem; 0 where none is named.
+/// Identifies the memory of a case: module, result element and contact problem, which are 0 if they are not given.
 using HistoryKey = std::tuple<int, int, int>;
 
-/// What a line of MODULE says.
+/// The content of a MODULE line.
 struct ModuleLine {
     int module = 0;
     std::optional<int> reid, cpid;
@@ -28,7 +28,7 @@ namespace {
 
 using namespace contact_files;
 
-constexpr std::size_t most_errors = 100;  // between cases; reading ends there
+constexpr std::size_t most_errors = 100;  // largest number of errors between cases, after which reading ends
 
 bool says_module(const Word& word) {
     constexpr std::string_view module = "module";
@@ -65,19 +65,19 @@ struct ContactFileReader::State {
     InputLines lines;
     std::vector<std::string> warnings{}, errors{};
     std::map<HistoryKey, History> histories{};
-    std::map<int, int> counters{};  ///< of cases, by result element
+    std::map<int, int> counters{};  ///< number of cases for each result element
     ModuleLine module{};
-    bool is_open = false;  ///< whether the next case follows without a line of MODULE
-    bool is_lost = false;  ///< whether a case was given up in the middle
+    bool is_open = false;  ///< whether the next case follows without a MODULE line
+    bool is_lost = false;  ///< whether reading of a case was aborted
     bool has_ended = false;
 
-    /// Goes to the next case's first control word; false when there is none.
+    /// Goes to the first control word of the next case. Returns false if there is none.
     bool find_case();
-    /// Goes to the first control word behind the line of a module.
+    /// Goes to the first control word after a MODULE line. Returns false at the end of the file.
     bool begin_case();
-    /// After an error: goes to the next line of a module, and takes it. This line may be one, unless it was the error.
+    /// Goes to the next MODULE line after an error, and reads it. `may_be_this`: this line may be one, too.
     bool find_module(bool may_be_this);
-    /// Takes the line of a module; false where it is none, or module 0.
+    /// Reads a MODULE line. Returns false for module 0.
     bool take_module();
     ContactCase read_case();
 };
@@ -113,7 +113,7 @@ bool ContactFileReader::State::find_case() {
     if (is_open) {
         if (lines.next()) return true;
         errors.push_back(lines.where() +
-                         " is the end of the file, but R = 0 or 2 of the last case announces another one");
+                         " is the end of the file, but R = 0 or 2 of the last case requires another one");
         has_ended = true;
         return false;
     }

@@ -11,9 +11,9 @@ namespace {
 
 using namespace contact_files;
 
-constexpr double least_step = 1e-3;  // between slices
-constexpr int most_features = 49;    // words of a line but for its place
-constexpr double same_place = 1e-6;  // of a slice and its line of features, relative
+constexpr double least_step = 1e-3;  // smallest distance of slices
+constexpr int most_features = 49;    // words of a line without the position
+constexpr double same_place = 1e-6;  // relative tolerance of the position in a line of features
 
 class SlicesReader {
    public:
@@ -60,7 +60,7 @@ class SlicesReader {
         const double place = std::get<double>(slice.at("U_SLC")), u = made_.u_scale * (made_.u_offset + place);
         if (!made_.slices.empty() && !(u - made_.slices.back().u > least_step))
             fail("has the slice at " + std::to_string(u) + " after that at " + std::to_string(made_.slices.back().u) +
-                 "; slices must ascend, more than 0.001 apart");
+                 "; slices must increase by more than 0.001");
         made_.slices.push_back({u, std::get<std::string>(slice.at("FNAME")), {}});
         places_.push_back(place);
     }
@@ -77,7 +77,7 @@ class SlicesReader {
         return parts;
     }
 
-    /// A line of features: the place of a slice again, and where its features lie.
+    /// Reads a line of features: the position of a slice, which is repeated, and the positions of its features.
     void read_features(std::size_t at) {
         std::vector<double> row =
             read_array(reading_, "U_SLC and the features", static_cast<std::size_t>(features_) + 1);
@@ -89,7 +89,7 @@ class SlicesReader {
         made_.slices[at].features = std::move(row);
     }
 
-    /// Features that do not exist stand at the ends of the list, and the others rise.
+    /// Requires missing features to be at the ends of the list, and the others to increase.
     void check_order(const std::vector<double>& row) const {
         double last = -1;
         bool has_ended = false;

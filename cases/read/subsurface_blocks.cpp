@@ -7,7 +7,7 @@ namespace contactd::contact_files {
 namespace {
 
 constexpr std::size_t most_blocks = 10;
-constexpr int most_points = 10000;  // of a block along one axis
+constexpr int most_points = 10000;  // largest number of points of a block along one axis
 
 int count_in(Reading& reading, const ByName<ContactValue>& group, const char* name) {
     const int count = std::get<int>(group.at(name));
@@ -17,7 +17,7 @@ int count_in(Reading& reading, const ByName<ContactValue>& group, const char* na
     return count;
 }
 
-/// From, step and last one of columns or rows.
+/// Reads the first number, the step and the last number of columns or rows.
 ContactNumbers range_of(Reading& reading, const std::string& axis) {
     const ByName<ContactValue> group = read_values(reading, "I" + axis + "L# I" + axis + "INC# I" + axis + "H#");
     const auto value = [&](const char* end) { return std::get<int>(group.at("I" + axis + end)); };
@@ -25,7 +25,7 @@ ContactNumbers range_of(Reading& reading, const std::string& axis) {
     if (step < 1 || last < first || (last - static_cast<long long>(first)) / step >= most_points)
         reading.lines.fail(reading.lines.words().front(),
                            "has elements " + std::to_string(first) + " to " + std::to_string(last) + " in steps of " +
-                               std::to_string(step) + "; they must ascend and not exceed 10000");
+                               std::to_string(step) + "; the numbers must increase, and there may be at most 10000");
     std::vector<double> numbers;
     for (long long i = first; i <= last; i += step) numbers.push_back(static_cast<double>(i));
     return shared(std::move(numbers));
@@ -47,7 +47,8 @@ ContactNumbers depths_in_steps(Reading& reading) {
     return shared(std::move(depths));
 }
 
-/// Kinds 1 to 3 have depths in equal steps, 5 to 7 are the same with a list of depths, 9 has lists of all coordinates.
+/// Reads a block. Kinds 1 to 3 have equidistant depths, kinds 5 to 7 are the same with a list of depths, and kind 9 has
+/// lists of all coordinates.
 ByName<ContactValue> read_block(Reading& reading, int kind) {
     ByName<ContactValue> block{{"ISUBS", kind}};
     if (kind == 9) {

@@ -94,7 +94,7 @@ TEST_CASE("temperatures that nobody knows are refused", "[heat]") {
     CHECK(contact.calculate() >= 0);
     CHECK(largest(contact) > 42);
     contact.friction(6, {0.35, 20, -0.2, 150, -1e-3, 1});
-    CHECK(last_sentence().find("memdst") != std::string::npos);
+    CHECK(last_sentence().find("MEMDST") != std::string::npos);
 }
 
 TEST_CASE("friction by temperature has memory", "[heat]") {

@@ -92,7 +92,7 @@ TEST_CASE("what the library does not have is refused by its name", "[input]") {
     refused(rolling, "022020\n", "022020 2\n", -39, "line");  // reads damping, which the file does not have
     std::string damped = rolling;
     damped.replace(damped.find("022020\n"), 7, "022020 2\n");
-    refused(damped, "82000.\n", "82000.\n0.01 0. 1. 1.\n", -39, "cdampn and cdampt");
+    refused(damped, "82000.\n", "82000.\n0.01 0. 1. 1.\n", -39, "CDAMPN and CDAMPT");
     refused(
         "1 MODULE\n1201100\n0022033\n0000001\n999 30 30 1 1e-6\n.3 .3\n.28 .28 1. 1.\n.2 .2 1. 1. 8. 4.\n14. 0 1435. "
         "0.\n'a.prr' 0 1. 0.\n0 0 0 0 0 0\n1360. -70. 460.\n'b.prw' 0 1. 0.\n0 0 1. 0 0 0\n0 0 0 0 0 0\n",

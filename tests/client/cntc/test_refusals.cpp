@@ -245,5 +245,5 @@ TEST_CASE("pressures over two half ellipses, and the flag that asks for them, ne
     CHECK(contact.calculate() == 0);
     contact.flag(1971, 0);
     CHECK(contact.calculate() == -39);
-    CHECK(last_sentence().find("Flag 1971 = 4 and ipotcn = -6") != std::string::npos);
+    CHECK(last_sentence().find("Control digit B = 4 (flag 1971) and IPOTCN = -6") != std::string::npos);
 }

@@ -72,11 +72,11 @@ void set_flag_digit(Settings& settings, int code, int value) {
     if (keeps && (code == flag::discretisation || code == flag::influence)) return;
     const auto digit = find(code)->digit;
     if (is_of_files(code, value) && settings.digits.*digit != value)
-        throw Refused(error_code::input, "Flag " + std::to_string(code) + " is " + std::to_string(value) +
-                                             "; that needs numbers which a file alone sets: call cntc_readinpfile.");
+        throw Refused(error_code::input, "Flag " + std::to_string(code) + " = " + std::to_string(value) +
+                                             " requires data that only an input file can set. Call cntc_readinpfile.");
     if (const char* reason = why_not_covered(digit, value, on_rails(settings)))
-        throw Refused(error_code::input,
-                      "Flag " + std::to_string(code) + " is " + std::to_string(value) + "; " + reason + ".");
+        throw Refused(error_code::input, "Flag " + std::to_string(code) + " = " + std::to_string(value) +
+                                             " is not supported. " + reason + ".");
     settings.digits.*digit = value;
 }
 
