@@ -1,4 +1,4 @@
-// Solves the cases of one contact problem. What stands behind it is the affair of this class.
+// Solves the cases of one contact problem, and keeps their operators.
 #pragma once
 
 #include <array>
@@ -12,23 +12,24 @@
 
 namespace contactd::cases {
 
-/// Displacements of the upper body less those of the lower one (mm), an element each.
+/// Displacements of the upper body minus those of the lower body (mm), one for each element.
 struct Displacements {
-    std::vector<double> x, y, z;  ///< z of both bodies added: it parts them
+    std::vector<double> x, y, z;  ///< z is the sum for both bodies, which separates them
 };
 
 class ContactSolver {
    public:
-    /// Keeps the operators of the last problem, for the next one with the same elements, bodies and step. Throws
+    /// Solves a problem. Keeps its operators for later problems with the same elements, bodies and step. Throws
     /// InvalidArgument.
     ContactSolution solve(const ContactProblem& problem);
+    /// Returns the displacements of the surfaces.
     Displacements displacements(const ContactProblem& problem, const ContactSolution& solution);
-    /// Those of a plane patch of a wheel on its rail, to the last bit as the solve of the wheel has them, which sees
-    /// left wheels in a mirror.
+    /// Returns the displacements of a planar patch of a wheel on its rail, equal to the last bit to those of the solve
+    /// of the wheel, which mirrors left wheels.
     Displacements displacements_on_rail(const ContactProblem& problem, const ContactSolution& solution, bool is_left);
 
    private:
-    /// The inputs that operators depend on, beside the step.
+    /// The inputs that operators depend on, except for the step.
     struct Key {
         int nx, ny;
         double dx, dy;

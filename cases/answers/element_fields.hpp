@@ -1,4 +1,4 @@
-// Results with one number an element, as CONTACT prints them. An empty array stands for zeros.
+// Results with one number for each element, as CONTACT prints them. An empty array stands for zeros.
 #pragma once
 
 #include <vector>
@@ -7,16 +7,17 @@
 
 namespace contactd::cases {
 
-/// The undeformed distance (mm).
+/// Returns the undeformed distance (mm).
 std::vector<double> distance_of(const Solved& solved);
 
-/// The rigid slip of the motion that was given, with the extra rigid slip: of rolling relative, of a shift in mm.
+/// Returns the rigid slip of the given motion plus the extra rigid slip. It is relative in rolling, and in mm for
+/// shifts.
 RigidSlip rigid_slip_of(const Solved& solved);
 
-/// Coefficients of friction at the slip, or the temperature, that was found.
+/// Returns the friction coefficients at the computed slip or temperature.
 std::vector<double> friction_of(const Solved& solved);
 
-/// Displacements with zeros outside the contact.
+/// Returns the displacements with zeros outside the contact.
 std::vector<double> in_contact(std::vector<double> displacement, const ContactSolution& solution);
 
 }  // namespace contactd::cases

@@ -1,4 +1,4 @@
-// A patch of a wheel on a rail as a contact problem, whose answers are those of basic contact.
+// Converts a patch of a wheel on a rail to a contact problem, so that results are those of basic contact.
 #pragma once
 
 #include "answers/solved.hpp"
@@ -8,9 +8,8 @@
 
 namespace contactd::cases {
 
-/// Makes the contact problem of a patch with its solution; arrays of `solved` are used again. Elements of a step that
-/// is not steady are counted from the place where the rail's profile begins, and so is its motion. Returns the motion
-/// of the reference.
+/// Stores the contact problem and the solution of a patch in `solved`, and reuses its arrays. In a step that is not
+/// steady, elements and motion are relative to the origin of the rail's profile. Returns the motion of the reference.
 Motion show_patch(const WheelRailPatch& patch, const WheelRailSetup& setup, const WheelRailState& state,
                   Solved& solved);
 

@@ -1,4 +1,4 @@
-// Where a wheel on a rail and its patches lie, and what forces act there, in the axes that CONTACT prints.
+// Positions of a wheel, its rail and its patches, and the forces, in the axes that CONTACT prints.
 #pragma once
 
 #include <array>
@@ -11,30 +11,30 @@
 
 namespace contactd::cases {
 
-/// The curves of wheel and rail, and the set-up that places them.
+/// The profile curves of wheel and rail, and their set-up.
 struct RailOutlines {
     WheelRailSetup setup;  ///< without friction
     geometry::Profiles profiles;
 };
 
-/// Axes of a right wheel and its rail in the track; those of left ones are seen in a mirror.
+/// Axes of a right wheel and its rail in track coordinates. For a left wheel they are those of the mirror image.
 struct RailFrames {
-    double side = 1;                        ///< of y and all that turns about x or z: -1 in the mirror
-    geometry::Frame wheelset, wheel, rail;  ///< origins of the latter two are those of the profiles
+    double side = 1;                        ///< sign of y and of rotations about x and z: -1 in the mirror image
+    geometry::Frame wheelset, wheel, rail;  ///< the origins of the last two are those of the profiles
     double roll_of_rail = 0;
 };
 
-/// Where wheel and rail lie in a state, which is that of either side.
+/// Returns the frames of wheel and rail in a state of a left or right wheel.
 RailFrames frames_of(const RailOutlines& outlines, const WheelRailState& state);
-/// The state with the height and the deflection that its solve has found.
+/// Returns the state with the height and the rail deflection found by its solve.
 WheelRailState found_state(WheelRailState state, const WheelRailSolution& solution);
 
-/// The place of a patch, in mm and rad: the numbers 1 to 38 of cntc_getcontactlocation at 0 to 37, without those of the
-/// deflection of the rail.
+/// Returns the location of a patch in mm and rad: the numbers 1 to 38 of cntc_getcontactlocation at the indices 0 to
+/// 37, without those of the rail deflection.
 std::array<double, 38> location_of(const WheelRailPatch& patch, const RailOutlines& outlines, const RailFrames& frames);
 
-/// Forces in N and N mm on the rail: six numbers each in the axes of track, wheelset, rail and wheel; moments about the
-/// rail's profile in those of track and rail, and about the wheel's in the others.
+/// Returns forces and moments on the rail (N, N mm): six numbers each in the axes of track, wheelset, rail and wheel.
+/// Moments are about the origin of the rail's profile in the axes of track and rail, and of the wheel's in the others.
 std::array<double, 24> wrenches_of(const WheelRailForces& forces, const RailFrames& frames);
 
 }  // namespace contactd::cases

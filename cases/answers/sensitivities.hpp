@@ -6,9 +6,10 @@
 
 namespace contactd::cases {
 
-/// Sensitivities at the approach and motion of the solution, prescribed or not, with a frozen element division;
-/// with a slip law central differences of solves with tight tolerances. Without `tangential`, or without friction, only
-/// that of Fn by the approach, and NaN else. Throws NotCovered where a solve misses its tolerance.
+/// Returns sensitivities at the approach and motion of the solution, prescribed or found, for a frozen element
+/// division. With a slip law they are central differences of solves with tight tolerances. Without `tangential`, or
+/// without friction, only that of Fn by the approach is computed, and the others are NaN. Throws NotCovered if a solve
+/// does not reach its tolerance.
 Sensitivities sensitivities(const ContactProblem& problem, const ContactSolution& solution, ContactSolver& solver,
                             bool tangential);
 

@@ -1,4 +1,4 @@
-// A contact problem that was solved, with what follows from it.
+// A solved contact problem with derived results.
 #pragma once
 
 #include <array>
@@ -9,17 +9,16 @@
 
 namespace contactd::cases {
 
-/// Derivatives of forces by approach and motion, [out][in]: Fn, Fx and Fy over fstat Fn, Mz; by approach, the two
-/// creepages or shifts, spin or rotation. In mm, N, rad.
+/// Derivatives of forces with respect to approach and motion, [out][in]. Outputs are Fn, Fx and Fy relative to fstat
+/// Fn, and Mz. Inputs are the approach, the two creepages or shifts, and the spin or rotation. In mm, N, rad.
 using Sensitivities = std::array<std::array<double, 4>, 4>;
 
 struct Solved {
     ContactProblem problem;
     ContactSolution solution;
-    PlasticSlip plastic_before{}, plastic{};       ///< of a layer that yields, where the step began and where it ended
-    std::optional<Sensitivities> sensitivities{};  ///< where they were asked for
-    /// Names what a patch of a wheel on a rail has and its contact problem does not, which can not be solved again
-    /// then.
+    PlasticSlip plastic_before{}, plastic{};       ///< of a layer that yields, at the start and end of the step
+    std::optional<Sensitivities> sensitivities{};  ///< if requested
+    /// The name of a feature of a patch on a rail that its contact problem lacks, so that it cannot be solved again.
     const char* beyond = nullptr;
     double spin_x = 0, spin_y = 0;  ///< centre of spin (mm)
 };

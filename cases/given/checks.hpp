@@ -1,10 +1,11 @@
-// Checks of numbers that a case has.
+// Checks of the numbers of a case.
 #pragma once
 
 namespace contactd::cases {
 
-/// Both throw NotCovered. A count may come as a floating-point number.
+/// Returns a count that is given as a floating-point number. Throws NotCovered if it is not a whole number.
 int whole(double value, const char* name);
+/// Returns the value. Throws NotCovered if it is not positive.
 double positive(double value, const char* name);
 
 }  // namespace contactd::cases

@@ -1,4 +1,4 @@
-// The values of a case of an input file of CONTACT, as those that problems are made of.
+// Takes the values of a case of a CONTACT input file.
 #pragma once
 
 #include <string>
@@ -9,11 +9,12 @@
 
 namespace contactd::cases {
 
-/// Sets what a case of basic contact has. Files that it names lie relative to the folder. What a case does not have
-/// stays: the digits R and S, and a time step. Throws NotCovered, and InvalidArgument, with `given` set in part.
+/// Sets the values of a case of basic contact. Names of files are relative to `folder`. Values that a case does not
+/// contain remain unchanged: the digits R and S, and the time step. If it throws NotCovered or InvalidArgument, `given`
+/// is set in part.
 void set_basic_case(Given& given, const ContactCase& read, const std::string& folder);
 
-/// Sets what a case of a wheel on a rail has. Throws as set_basic_case does.
+/// Sets the values of a case of a wheel on a rail. Throws the same errors as set_basic_case.
 void set_rail_case(Given& given, GivenRail& rail, const ContactCase& read, const std::string& folder);
 
 }  // namespace contactd::cases

@@ -1,4 +1,4 @@
-// The values that a contact problem is made of, in mm, N, s, rad: those of a case of CONTACT, whoever set them.
+// The values of a case of CONTACT, from a file or from a program, in mm, N, s and rad.
 #pragma once
 
 #include <array>
@@ -18,12 +18,12 @@
 
 namespace contactd::cases {
 
-/// By curvatures or semi-axes; the elements divide `scale` times the box of Hertz's contact area.
+/// A Hertzian contact by curvatures or semi-axes. The elements divide `scale` times the box of its contact area.
 struct HertzArea {
     int option = 0;      ///< -1 to -6
     int mx = 0, my = 0;  ///< numbers of elements
     double first = 0;    ///< curvature a1 (1/mm) or semi-axis a (mm), by the option
-    double second = 0;   ///< curvature b1 (1/mm), a/b, semi-axis b or half width (mm), of two halves their mean
+    double second = 0;   ///< curvature b1 (1/mm), a/b, semi-axis b, half width (mm), or mean of two semi-axes
     double scale = 0;
     double negative = 0, positive = 0;  ///< semi-axes of two half ellipses towards -y and +y (mm)
 };
@@ -33,7 +33,7 @@ struct Quadratic {
     std::array<double, 6> b{};
 };
 
-/// p(y) + (x - xm)^2/(2 rm), p on straight lines through heights that lie dy from each other, from y1 on (mm).
+/// p(y) + (x - xm)^2/(2 rm) (mm), with p interpolated linearly between heights at the distance dy, which begin at y1.
 struct RoundProfile {
     double xm = 0, rm = 0, y1 = 0, dy = 0;
     std::vector<double> heights;
@@ -44,34 +44,35 @@ struct Waves {
     std::array<double, 8> b{};
 };
 
-/// Elements that may touch: those where a conic is below zero, by P1 to P6, those of rectangles, or those of patches,
-/// which share their displacements.
+/// The elements that may come into contact: those inside a conic by P1 to P6 (below zero), inside rectangles, or inside
+/// patches that share their displacements.
 using Planform = std::variant<std::monostate, Quadratic, std::vector<RegionLimits>, ContactRegions>;
 
-/// Undeformed distance of a grid that is set itself.
+/// The undeformed distance for a grid that is given directly.
 using Distance = std::variant<Quadratic, RoundProfile, Waves, std::vector<double>>;
 
-/// Creepages and spin, or shift and rotation: which of them, the flags of the solve tell. So numbers are as they came.
+/// Creepages and spin, or shift and rotation, depending on the digit T of the solve. The numbers are in their own
+/// units.
 struct GivenMotion {
     double vx = 0, vy = 0, phi = 0;
-    double length = 1;  ///< (mm), unit of lengths in them
+    double length = 1;  ///< the unit of length (mm)
 };
 
-/// The same, an element each.
+/// An extra rigid slip with one value for each element.
 struct GivenSlip {
     std::vector<double> x, y;
     double length = 1;
 };
 
-/// Tangential force over fstat Fn, on the upper body in all systems of units.
+/// Tangential force divided by fstat Fn, on the upper body in all systems of units.
 struct RelativeForce {
     double x = 0, y = 0;
 };
 
-/// Friction as it was set, in mm and s, and what core makes of it.
+/// Friction as it was given, in mm and s, and as a law of core.
 struct GivenFriction {
-    int method = 0;  ///< the law, and ten times how it varies: 1 with the rail's angle, 2 along the track,
-                     ///< 3 by the rows of elements
+    int method = 0;  ///< the law, plus 10 for friction by the rail's angle, 20 for friction along the track, or
+                     ///< 30 for friction by rows of elements
     std::vector<double> parameters;
     FrictionLaw law;
     /// Friction that varies with the rail's angle: the law at each angle (rad), in ascending order.
@@ -82,10 +83,10 @@ struct GivenFriction {
     std::vector<AtAngle> by_angle{};
     /// Friction that varies along the track: the numbers of the law at each place, in ascending order.
     std::vector<ContactFrictionAtPlace> along_track{};
-    std::vector<FrictionLaw> by_row{};  ///< of rows of elements: the law of each
+    std::vector<FrictionLaw> by_row{};  ///< the law of each row of elements
 };
 
-/// The control digits of a case, with their values in a program that sets none.
+/// The control digits of a case, with their defaults.
 struct Digits {
     int configuration = 0;   ///< C1
     int previous = 2;        ///< P
@@ -108,26 +109,26 @@ struct Digits {
 /// Limits of NPOT_MAX.
 inline constexpr int least_patch_elements = 100, most_patch_elements = 1'000'000;
 
-/// Where none is set (mm/s).
+/// The default velocity (mm/s).
 inline constexpr double usual_velocity = 1000;
 
 struct Given {
     Digits digits;
-    int most_elements = 20'000;  ///< a patch on rails has fewer, or larger ones
+    int most_elements = 20'000;  ///< patches on rails with at least this number get larger elements
     ContactSettings solvers;
-    bool one_outer_iteration = false;  ///< of dissimilar bodies
+    bool one_outer_iteration = false;  ///< for dissimilar bodies
     bool starts_in_slip = false;       ///< whether falling friction starts from full slip
     std::optional<MaterialPair> materials;
-    std::optional<std::array<Viscoelasticity, 2>> creep;  ///< of the upper and the lower body
-    SlopeReduction slope;                                 ///< of the simplified theory
+    std::optional<std::array<Viscoelasticity, 2>> creep;  ///< of the upper and lower body
+    SlopeReduction slope;                                 ///< for the simplified theory
     std::optional<GivenFriction> friction;
     std::optional<InterfacialLayer> layer;  ///< between the bodies
-    std::optional<ThermalBodies> heat;      ///< where it counts, the flag 1982 says
+    std::optional<ThermalBodies> heat;      ///< only used with H > 0
     std::variant<std::monostate, HertzArea, Grid> area;
     std::optional<Distance> distance;
-    Planform planform;                             ///< with it
-    std::shared_ptr<const GivenIcs> coefficients;  ///< of C = 9, from a file
-    double sheet = 0;                              ///< flexibility of a thin sheet, of B = 1 (mm^3/N)
+    Planform planform;                             ///< given together with the distance
+    std::shared_ptr<const GivenIcs> coefficients;  ///< from a file, for C = 9
+    double sheet = 0;                              ///< flexibility of a thin sheet, for B = 1 (mm^3/N)
     double spin_x = 0, spin_y = 0;                 ///< centre of spin (mm)
     double spin_offset = 1.0 / 6;                  ///< FACPHI: steps ahead of the centre of an element
     std::optional<double> pen, fn;                 ///< (mm), (N)
@@ -140,8 +141,7 @@ struct Given {
     std::optional<GivenSlip> extra_slip;
 };
 
-/// Returns the thermal properties of the bodies, where temperatures are asked for. Throws NotCovered where there are
-/// none.
+/// Returns the thermal properties of the bodies if temperatures are requested. Throws NotCovered if they are missing.
 std::optional<ThermalBodies> heat_of(const Given& settings);
 
 }  // namespace contactd::cases

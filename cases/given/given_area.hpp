@@ -1,4 +1,4 @@
-// The potential contact area and the undeformed distance from the numbers in which CONTACT takes them.
+// The potential contact area and the undeformed distance from CONTACT's numbers.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace contactd::cases {
 
-/// Reads Hertz's contact, IPOTCN -1 to -6: MX, MY and its numbers. All throw NotCovered.
+/// Reads a Hertzian contact, IPOTCN -1 to -6: MX, MY and its numbers. All functions throw NotCovered.
 HertzArea hertz_area(int option, const std::vector<double>& numbers, const Units& units);
 /// Reads a rectangle, IPOTCN 1 to 4.
 Grid potential_contact(int option, const std::vector<double>& numbers, const Units& units);
-/// Reads the sizes for patches on rails: DX, DS, and with the option -1 A_SEP, D_SEP, D_COMB and D_TURN, which may be
-/// missing.
+/// Reads the sizes for patches on rails: DX and DS, and with the option -1 also A_SEP, D_SEP, D_COMB and an optional
+/// D_TURN.
 GivenElements rail_elements(int option, const std::vector<double>& numbers, const Units& units);
 
-/// Returns how many numbers a kind of distance, IBASE, has at least; 0 where there is no such kind. Those of profiles
-/// and of elements may have more.
+/// Returns the least number of values of a kind of distance, IBASE, or 0 for an unknown kind. Profiles and distances of
+/// each element may have more.
 int distance_numbers(int base);
 Distance given_distance(int base, std::vector<double> numbers, const Units& units);
 

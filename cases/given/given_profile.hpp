@@ -1,4 +1,4 @@
-// A profile from a file, or from a table of values.
+// Reads a profile from a file, or from a table of values.
 #pragma once
 
 #include <optional>
@@ -10,25 +10,25 @@
 
 namespace contactd::cases {
 
-/// How its points are to be read.
+/// Options for reading the points of a profile.
 struct ProfileOptions {
-    std::optional<bool> wheel{};  ///< absent: the file's ending says it
-    int mirror_y = 0;             ///< 1: turned to the other side; -1: not, whatever a file says
-    int mirror_z = 0;             ///< 1: turned, -1: not, 0: as their shape asks for
-    int smoother = 0;             ///< whose weight (0) or length `smoothing` is; 2: of the third derivative
-    double scale = 1;             ///< mm that a unit has
+    std::optional<bool> wheel{};  ///< if absent, the ending of the file name decides
+    int mirror_y = 0;             ///< 1: mirrored; -1: not mirrored, even if the file requests it
+    int mirror_z = 0;             ///< 1: mirrored, -1: not mirrored, 0: depends on the shape
+    int smoother = 0;             ///< `smoothing` is a weight (0) or a length (1, or 2 for the third derivative)
+    double scale = 1;             ///< length of a unit (mm)
     double smoothing = 0;
     KinkRule kinks{};
 };
 
-/// The options of a file or a table as CONTACT takes them; a number that is not positive stands for the usual one.
+/// The options of a file or a table in CONTACT's numbers. Zero or negative numbers stand for defaults.
 struct ProfileNumbers {
     int mirror_y = 0, mirror_z = 0, smoother = 0;
     double scale = 0, smoothing = 0, kink_high = 0, kink_low = 0;
-    double kink_width = -1;  ///< below 0: none is given
+    double kink_width = -1;  ///< not given if negative
 };
 
-/// Throws NotCovered for a smoother that contactd does not have.
+/// Returns the options. Throws NotCovered for an unsupported smoother.
 ProfileOptions profile_options(const ProfileNumbers& numbers, const Units& units);
 
 struct ReadProfile {
@@ -36,9 +36,9 @@ struct ReadProfile {
     GivenSurface surface;
 };
 
-/// Throws NotCovered with the code of profiles.
+/// Reads a profile or a list of slices. Throws NotCovered with the subject `profile`.
 ReadProfile profile_from_file(const std::string& name, const ProfileOptions& options);
-/// `values` are y and z in turns.
+/// Reads a profile from alternating values of y and z. Throws NotCovered with the subject `profile`.
 ReadProfile profile_from_values(std::span<const double> values, const ProfileOptions& options);
 
 }  // namespace contactd::cases

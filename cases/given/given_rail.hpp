@@ -1,4 +1,4 @@
-// The values that a wheel on a rail is made of, in mm, N, s, rad: those of a case of CONTACT, whoever set them.
+// The values of a case of CONTACT for a wheel on a rail, from a file or from a program, in mm, N, s and rad.
 #pragma once
 
 #include <optional>
@@ -11,18 +11,18 @@
 namespace contactd::cases {
 
 struct GivenTrack {
-    double gauge_height = 14;                       ///< not positive: the rail lies where it is told
-    double gauge = 1435;                            ///< where the gauge height is positive
-    double rail_y = 0, rail_z = 0;                  ///< elsewhere, of a right rail
-    double cant = 0, roller_radius = 0;             ///< the radius is that of a roller
+    double gauge_height = 14;                       ///< if it is not positive, rail_y and rail_z place the rail
+    double gauge = 1435;                            ///< used if the gauge height is positive
+    double rail_y = 0, rail_z = 0;                  ///< position of a right rail without a gauge height
+    double cant = 0, roller_radius = 0;             ///< the radius is only used for rollers
     double curvature = 0;                           ///< of the track (1/mm)
-    double spring_y = 0, spring_z = 0;              ///< of a massless flexible rail (N/mm); 0: rigid
-    double spring_force_y = 0, spring_force_z = 0;  ///< on it, beside those of the wheel (N)
+    double spring_y = 0, spring_z = 0;              ///< stiffness of a massless flexible rail (N/mm); 0 if rigid
+    double spring_force_y = 0, spring_force_z = 0;  ///< forces on it in addition to those of the wheel (N)
 
     bool operator==(const GivenTrack&) const = default;
 };
 
-/// A profile, or the slices of one that varies.
+/// A profile, or the slices of a varying profile.
 struct GivenSurface {
     std::optional<ProfileSpec> profile{};
     std::vector<RailSlice> rail_slices{};
@@ -33,7 +33,7 @@ struct GivenSurface {
     bool operator==(const GivenSurface&) const = default;
 };
 
-/// Sizes of elements, and rules of patches (mm, rad).
+/// Element sizes and rules of patches (mm, rad).
 struct GivenElements {
     double dx = 0, ds = 0;
     double angle_separate = 1.5707963267948966;
@@ -46,11 +46,11 @@ struct GivenRail {
     Wheelset wheelset;
     RailDeviation deviation;  ///< without forces
     WheelsetPosition position;
-    /// The first number is the speed forwards, or the pitch rate of a roller: what it is, the configuration tells.
+    /// The first number is the forward speed, or the pitch rate of a roller, depending on the configuration C1.
     WheelsetVelocity velocity;
-    double velocity_length = 1;  ///< unit of the first number as a speed (mm/s)
+    double velocity_length = 1;  ///< unit of the first number if it is a speed (mm/s)
     WheelDeviation flexibility;
-    std::optional<double> Fz{}, Fx{};  ///< (N), on the rail
+    std::optional<double> Fz{}, Fx{};  ///< forces on the rail (N)
     std::optional<GivenElements> elements{};
     double dq = 1;  ///< step of transient rolling, in elements
 };

@@ -1,4 +1,4 @@
-// The refusal of a case that no problem can be made of.
+// The error for a case that contactd cannot compute.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace contactd::cases {
 
-/// The part of a case that a refusal is about.
+/// The part of a case that cannot be used.
 enum class Subject { input, profile, friction, discretisation, tolerance, other };
 
-/// A case that contactd does not cover, or that lacks something or contradicts itself. `what()` is a whole sentence.
+/// Thrown for a case that is not supported, incomplete or inconsistent. `what()` is a whole sentence.
 class NotCovered : public Error {
    public:
     NotCovered(Subject subject, const std::string& sentence) : Error(sentence), subject_(subject) {}

@@ -1,19 +1,19 @@
-// Systems of units, and the body that forces act on. Inside everything is in mm, N, s and rad, and acts on the upper
-// body, as in core.
+// Systems of units, and the body that forces act on. Internal values are in mm, N, s and rad, and forces act on the
+// upper body, as in core.
 #pragma once
 
 namespace contactd::cases {
 
-/// Numbers that come in are multiplied by these; those that go out divided.
+/// Factors that multiply inputs and divide outputs.
 struct Units {
     int code = 1934;
-    double length = 1;  ///< (mm), of velocities (mm/s) as well
+    double length = 1;  ///< also for velocities (mm, mm/s)
     double body = 1;    ///< 1: forces act on the upper body, body 1; -1: on body 2
 
-    double stress() const { return 1 / (length * length); }  ///< (N/mm^2), forces being N in all of them
+    double stress() const { return 1 / (length * length); }  ///< (N/mm^2); forces are in N in all systems
     double moment() const { return length; }                 ///< (N mm)
     double area() const { return length * length; }          ///< (mm^2)
-    double curvature() const { return 1 / length; }          ///< (1/mm), and spin (rad/mm)
+    double curvature() const { return 1 / length; }          ///< also for spin (1/mm, rad/mm)
 };
 
 inline constexpr Units units_mm_on_body_1{1934, 1, 1};

@@ -1,4 +1,4 @@
-// Values of elements on others, which lie whole elements elsewhere and may be more or fewer.
+// Moves values to a grid that is displaced by whole elements and may have more or fewer elements.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace contactd::cases {
 
-/// Returns the requested elements as those that a step goes on with: they keep their size, and lie whole elements from
-/// those before.
+/// Returns the elements of a step that continues: they keep their size, and the requested displacement is rounded to
+/// whole elements.
 Grid continued(const Grid& requested, const Grid& before);
 
-/// Returns values on other elements of the same size; new elements have `elsewhere`, one number or one an element.
-/// Empty values stay empty.
+/// Returns values on other elements of the same size. New elements have the values `elsewhere`, a single number or one
+/// for each element. Empty values remain empty.
 std::vector<double> on_grid(const std::vector<double>& values, const Grid& from, const Grid& to,
                             const std::vector<double>& elsewhere = {0});
 
-/// Returns the end of a step on other elements, where particles that come new have the state of this friction.
+/// Returns the state at the end of a step on other elements. New particles have the initial state of this friction.
 SurfaceState on_grid(const SurfaceState& state, const Grid& from, const Grid& to, const FrictionLaw& friction);
 
 }  // namespace contactd::cases

@@ -1,4 +1,4 @@
-// The models that the flags B and M ask for.
+// The models for the digits B and M.
 #pragma once
 
 #include <optional>
@@ -16,21 +16,20 @@ struct CaseModels {
     SimplifiedSettings simplified{};
 };
 
-/// FASTSIM goes in whole elements, with blended flexibilities and the printed coefficients, as the other program has
-/// it. Throws NotCovered for a bound of 2 or 3 without a simplified theory, and for a simplified theory that has no
-/// such bound.
+/// Returns the models. FASTSIM steps by whole elements, with blended flexibilities and the printed coefficients, as in
+/// CONTACT. Throws NotCovered for FaStrip with a parabolic bound.
 CaseModels models_of(const Given& settings);
 
-/// Returns the materials to solve with: the combined one for both bodies if Dundurs' constant K is below 1e-4, where
-/// the other program treats bodies as quasi-identical.
+/// Returns the materials for the solve: the combined material for both bodies if Dundurs' constant K is below 1e-4, for
+/// which CONTACT treats bodies as quasi-identical.
 MaterialPair solved_materials(const MaterialPair& given);
 
-/// The layer between the bodies, where the flag of materials asks for one; else none.
+/// Returns the layer between the bodies if the digit M requests one.
 std::optional<InterfacialLayer> layer_of(const Given& settings);
 
-/// Takes the memory from the friction of a simplified theory, which has one coefficient for the whole contact.
+/// Removes the memory of friction in a simplified theory, which uses one coefficient for the whole contact.
 void forget_memory(std::optional<KineticFriction>& kinetic, Model model);
-/// Names a memory that has no effect; empty: there is none.
+/// Returns a warning about a memory that has no effect, or an empty string.
 std::string warning_of_memory(const Given& settings);
 
 }  // namespace contactd::cases

@@ -1,4 +1,4 @@
-// From what a program has set to a contact problem of core.
+// Converts the values of a case to a contact problem of core.
 #pragma once
 
 #include <functional>
@@ -8,19 +8,19 @@
 
 namespace contactd::cases {
 
-/// A case that was solved, which the next one may continue from.
+/// A solved case, from which the next one may continue.
 struct LastCase {
     const ContactProblem& problem;
     const ContactSolution& solution;
 };
 
-/// Throws NotCovered for what is missing, contradicts itself, or is not covered. Tangential forces that are prescribed
-/// are relative to a normal force, which only the solve knows where the approach is prescribed: `normal_force` tells
-/// it for such a problem without friction.
+/// Returns the problem. Throws NotCovered for missing, inconsistent and unsupported values. Prescribed tangential
+/// forces are relative to the normal force. If the approach is prescribed, `normal_force` returns this force for the
+/// problem without friction.
 ContactProblem problem_of(const Given& settings, const LastCase* last,
                           const std::function<double(const ContactProblem&)>& normal_force);
 
-/// Throws NotCovered: no step starts from the pressures of the last one alone.
+/// Throws NotCovered for a step that starts from the pressures of the last one without its tractions (P = 1).
 [[noreturn]] void refuse_history_of_pressures();
 
 }  // namespace contactd::cases

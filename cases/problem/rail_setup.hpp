@@ -1,4 +1,4 @@
-// From what a program has set to a set-up and a state of a wheel on its rail.
+// Converts the values of a case to a set-up and a state of a wheel on its rail.
 #pragma once
 
 #include "contactd/wheel_rail_setup.hpp"
@@ -11,12 +11,12 @@ namespace contactd::cases {
 bool on_roller(const Given& settings);
 bool on_left_side(const Given& settings);
 
-/// Returns what says where wheel and rail lie: their profiles, as far as they are set, track and wheelset.
+/// Returns a set-up with the geometry only: the given profiles, track and wheelset.
 WheelRailSetup outline_of(const Given& settings, const GivenRail& rail);
-/// Position and motion, without the forces that bring them.
+/// Returns a state with position and motion, without prescribed forces.
 WheelRailState placed_state(const Given& settings, const GivenRail& rail);
 
-/// Both throw NotCovered for what is missing, contradicts itself, or is not covered.
+/// Return the complete set-up and state. Both throw NotCovered for missing, inconsistent and unsupported values.
 WheelRailSetup setup_of(const Given& settings, const GivenRail& rail);
 WheelRailState state_of(const Given& settings, const GivenRail& rail);
 

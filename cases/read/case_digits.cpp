@@ -10,7 +10,7 @@ namespace {
 
 struct DigitRule {
     std::string_view name;
-    std::string_view on_rails, alone;  ///< what modules 1 and 3 take; all digits where empty
+    std::string_view on_rails, alone;  ///< allowed values in modules 1 and 3; all digits if empty
 };
 
 constexpr std::array first_word{DigitRule{"C1", "0145", ""},       DigitRule{"P", "0123", "0123"},
@@ -30,7 +30,7 @@ bool is_number(std::string_view text) {
     return !text.empty() && text.find_first_not_of("0123456789") == text.npos;
 }
 
-/// The line's first word as digits, filled up with zeros on the left.
+/// Returns the first word of the line as digits, padded with zeros on the left.
 std::string digits_here(const InputLines& lines, std::string_view names, std::size_t most, std::size_t count) {
     const std::string expected = "where the control digits " + std::string(names) + " are expected";
     const Word& word = lines.words().front();
@@ -66,7 +66,7 @@ void take(const InputLines& lines, ContactCase& read, const std::array<DigitRule
     }
 }
 
-/// M2, and W2 in front of it, which stand behind the second word on the same line.
+/// Reads M2, preceded by an optional W2, which follows the second control word on the same line.
 void take_damping(const InputLines& lines, ContactCase& read) {
     int damping = 1, weight = 0;
     if (lines.words().size() > 1 && !lines.words()[1].is_quoted) {

@@ -8,12 +8,12 @@
 
 namespace contactd::contact_files {
 
-/// Reads the control words C1 P B T N F S, V L D C M Z E {M2}, and X H G I A O W R, with the line of debug digits
-/// behind it where X = 1. Leading zeros may be left out. `lines` stands on the line of the first of them. Throws
-/// InvalidArgument for what is none, and for digits that have no meaning.
+/// Reads the control words C1 P B T N F S, V L D C M Z E {M2}, and X H G I A O W R, and the following line of debug
+/// digits if X = 1. Leading zeros are optional. The current line of `lines` is that of the first control word. Throws
+/// InvalidArgument for invalid words and for undefined digits.
 void read_digits(InputLines& lines, ContactCase& read);
 
-/// A digit by its name, 0 where the case has none.
+/// Returns a digit by its name, or 0 if the case does not contain it.
 int digit(const ContactCase& read, std::string_view name);
 
 }  // namespace contactd::contact_files

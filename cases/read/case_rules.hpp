@@ -1,27 +1,27 @@
-// What cases of one history owe to each other, and what digits and values of a case must be to be computed.
+// Rules for the digits and values of a case, and for data that cases of a history keep from each other.
 #pragma once
 
 #include "groups.hpp"
 
 namespace contactd::contact_files {
 
-/// The cases of a result element, or of all without one, that keep data for each other.
+/// The cases that keep data from each other: those of a result element, or all cases without one.
 struct History {
-    ContactCase last;  ///< its digits and memory
-    int cases = 0;     ///< that were read
-    int failed = 0;    ///< number of the last case if it has errors, else 0
-    int torn = 0;      ///< number of a case that was given up in the middle, so that what it left is not known; else 0
+    ContactCase last;  ///< digits and memory of the last case
+    int cases = 0;     ///< number of cases read so far
+    int failed = 0;    ///< number of the last case if it has errors, otherwise 0
+    int torn = 0;      ///< number of a case whose reading was aborted, so that its data are unknown; otherwise 0
 };
 
-/// A history before its first case, with the defaults of the program.
+/// Returns a history before its first case, with CONTACT's defaults.
 History new_history(int module);
 
-/// What digits do before the values are read: corrects those of a first case, and says in the errors of the case where
-/// they do not go with each other or with the case before.
+/// Applies the digits before the values are read. Corrects the digits of a first case, and adds errors for digits that
+/// are inconsistent with each other or with the previous case.
 void apply_digits(Reading& reading, const History& history);
-/// Tells whether a case reads all that it needs, so that no case before matters.
+/// Returns whether a case reads all its data itself, so that previous cases have no effect.
 bool keeps_nothing(const Reading& reading);
-/// What values do after they were read: what shifts and bodies alike leave in memory, and the errors of the case.
+/// Applies the values after they were read. Sets the values that shifts and similar bodies imply, and adds errors.
 void apply_values(Reading& reading);
 
 }  // namespace contactd::contact_files

@@ -13,7 +13,7 @@ enum Law { coulomb = 0, linear = 2, rational = 3, by_temperature = 6 };
 constexpr double widest_interval = 3000;    // mm
 constexpr double largest_difference = 0.1;  // of coefficients
 
-/// The share of a term's fall that is left at a slip velocity.
+/// Returns the fraction of a term that remains at a slip velocity.
 double share_left(int law, int term, double velocity, double slip_velocity) {
     if (std::isinf(velocity) || !(slip_velocity > 0)) return 0;
     const double v = velocity / slip_velocity;
@@ -22,7 +22,7 @@ double share_left(int law, int term, double velocity, double slip_velocity) {
     return std::exp2(-v);
 }
 
-/// The coefficient at a slip velocity (mm/s), or at a temperature.
+/// Returns the friction coefficient at a slip velocity (mm/s), or at a temperature.
 double coefficient(int law, const std::vector<double>& f, double at) {
     if (law == coulomb) return f[0];
     if (law == by_temperature) {
@@ -32,14 +32,14 @@ double coefficient(int law, const std::vector<double>& f, double at) {
     return f[0] + f[1] * share_left(law, 1, at, f[2]) + f[3] * share_left(law, 2, at, f[4]);
 }
 
-/// Slip velocities, or temperatures, at which a law bends, at rest, and far beyond.
+/// Returns the slip velocities, or temperatures, where laws can differ most: at rest, at their bends, and far beyond.
 std::vector<double> bends_of(int law, const std::vector<double>& f) {
     if (law == coulomb) return {0};
     if (law == by_temperature) return {f[1], f[1] + f[3]};
     return {0, f[2], f[4], std::numeric_limits<double>::infinity()};
 }
 
-/// Returns the first place beyond; the end where there is none.
+/// Returns the first set beyond a place, or the end if there is none.
 auto behind(const std::vector<ContactFrictionAtPlace>& track, double place) {
     return std::ranges::upper_bound(track, place, {}, &ContactFrictionAtPlace::place);
 }

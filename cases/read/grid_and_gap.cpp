@@ -72,7 +72,7 @@ void read_base(Reading& reading, int base) {
     }
 }
 
-/// Limits of patches, and the shares between each two of them.
+/// Reads the limits of patches, and the factors between each two of them.
 void read_plan_of_patches(Reading& reading) {
     read_group(reading, "NPATCH#");
     const int patches = reading.integer("NPATCH");

@@ -8,12 +8,12 @@
 namespace contactd::contact_files {
 namespace {
 
-constexpr std::size_t most_warnings = 20;  // of a case
+constexpr std::size_t most_warnings = 20;  // largest number of warnings of a case, and of errors
 
-/// A value of a group, as its specification says it.
+/// The specification of a value of a group.
 struct Item {
     std::string_view name;
-    char kind = ' ';  ///< #, ^, ' or none
+    char kind = ' ';  ///< #, ^, ' or a blank
     std::string_view fallback{};
 };
 
@@ -53,7 +53,7 @@ const char* kind_of(const Item& item) {
     }
 }
 
-/// Where the words of a group are taken from: this line, and the next one when it has no more.
+/// The words of a group, from the current line and the following ones.
 class WordsOfGroup {
    public:
     WordsOfGroup(Reading& reading, std::size_t most) : reading_(reading), most_(most) {}
@@ -66,9 +66,9 @@ class WordsOfGroup {
         }
         return reading_.lines.words()[at_++];
     }
-    /// The next one on this line; null where there is none.
+    /// Returns the next word on this line, or null if there is none.
     const Word* next_here() { return at_ == count_ ? nullptr : &reading_.lines.words()[at_++]; }
-    /// Says so where a number follows, of which CONTACT knows nothing: there may be one too many in front of it.
+    /// Warns of a number after the last value, which CONTACT ignores. An earlier value may be surplus.
     void end() const {
         if (at_ == count_) return;
         const Word& word = reading_.lines.words()[at_];
@@ -88,7 +88,7 @@ class WordsOfGroup {
     std::size_t most_, at_ = 0, count_ = 0;
 };
 
-/// Takes what may be left out and is there. `together`: all or none.
+/// Reads the optional values that are present. With `together`, they are only used if all are present.
 void read_optional(Reading& reading, WordsOfGroup& words, std::vector<Item> items, bool together,
                    ByName<ContactValue>& values) {
     std::size_t taken = 0;

@@ -1,4 +1,4 @@
-// Groups of values: what CONTACT reads at once, over as many lines as the values take.
+// Groups of values, which CONTACT reads at once from one or more lines.
 #pragma once
 
 #include <cstddef>
@@ -11,45 +11,45 @@
 
 namespace contactd::contact_files {
 
-/// A case while it is read.
+/// A case during reading.
 struct Reading {
     InputLines& lines;
     ContactCase& result;
 
     int digit(std::string_view name) const;
-    /// A value in memory, 0 where there is none.
+    /// Return a value in memory, or 0 if there is none.
     int integer(std::string_view name) const;
     double real(std::string_view name) const;
     bool has(std::string_view name) const { return result.values.contains(name); }
 
     void set(std::string_view name, ContactValue value);
-    /// Takes values out of memory; `names` has blanks between them.
+    /// Removes values from memory. `names` are separated by blanks.
     void forget(std::string_view names);
-    /// Puts into memory what was read now.
+    /// Stores a value that was read in this case.
     void take(std::string_view name, ContactValue value);
-    /// Notes a warning, or why the case cannot be computed; where the reader stands comes in front.
+    /// Add a warning, or an error that prevents computing the case. The current line is put in front.
     void warn(const std::string& sentence);
     void fail_case(const std::string& sentence);
 };
 
-/// Reads the values of a group, from the next line on. What follows on the last line is ignored. `group` has their
-/// names, with blanks between them: reals, or
+/// Reads the values of a group, starting at the next line. The rest of the last line is ignored. `group` contains the
+/// names, separated by blanks. They are reals, or
 ///     NAME#           an integer
 ///     NAME^           an angle
 ///     NAME'           a text in quotation marks
-///     {NAME=1 ..}     at the end, on the last line: each may be left out, and is 1 then, or not there without a value
-///     {+NAME=1 ..}    the same, and all of them must be there or none is taken
-/// Throws InvalidArgument for a word that does not fit.
+///     {NAME=1 ..}     optional values at the end of the last line, with their defaults, or absent without a default
+///     {+NAME=1 ..}    the same, but they are only used if all are present
+/// Throws InvalidArgument for an invalid word.
 ByName<ContactValue> read_values(Reading& reading, std::string_view group);
-/// Reads them likewise, and puts them into the memory of the case.
+/// Reads the values of a group and stores them in the memory of the case.
 void read_group(Reading& reading, std::string_view group);
 
-/// Reads `count` numbers in any layout of lines; the rest of the last line is ignored. `what` names them. `kinds` says
-/// what they are in turn: blanks for reals, # and ^ as of a group.
+/// Reads `count` numbers in any layout of lines, and ignores the rest of the last line. `what` is their name in
+/// messages. `kinds` contains their kinds, repeated: blanks for reals, # and ^ as in a group.
 std::vector<double> read_array(Reading& reading, std::string_view what, std::size_t count,
                                std::string_view kinds = " ");
 
-/// One of several columns that stand side by side in an array.
+/// Returns one of several columns of an array that is stored by rows.
 std::vector<double> column_of(const std::vector<double>& array, std::size_t column, std::size_t columns);
 ContactNumbers shared(std::vector<double> numbers);
 

@@ -30,7 +30,8 @@ void read_discretisation(Reading& reading) {
     if (!reading.has("D_TURN")) reading.take("D_TURN", 2 * reading.real("D_SEP") - reading.real("D_COMB"));
 }
 
-/// The first value says whether the gauge is measured. The cant of an earlier case stays in force on a roller.
+/// Reads the track. The first value determines whether the gauge is measured. On a roller, the cant of an earlier case
+/// remains effective.
 void read_track(Reading& reading) {
     if (!has_track(reading)) return;
     reading.forget("GAUGSQ GAUGWD RAILY0 RAILZ0 NOMRADR");
@@ -44,7 +45,7 @@ void read_track(Reading& reading) {
     }
 }
 
-/// A profile's name and what is done with it; `of` is RAIL_ or WHEEL_.
+/// Reads the name and the options of a profile. `of` is RAIL_ or WHEEL_.
 void read_profile_options(Reading& reading, const std::string& file, const std::string& of) {
     const auto group = [&](std::string text) {
         for (auto at = text.find('@'); at != text.npos; at = text.find('@')) text.replace(at, 1, of);

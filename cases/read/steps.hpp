@@ -1,4 +1,4 @@
-// The parts of a case, in the order in which they stand in the file.
+// The parts of a case, in the order of the file.
 #pragma once
 
 #include <span>
@@ -9,22 +9,22 @@
 
 namespace contactd::contact_files {
 
-/// One part: a group of values, or what a function of its own reads.
+/// One part: a group of values, or data that a function reads.
 struct Step {
-    /// The group as read_values has it; empty where the digits of the case leave it out.
+    /// Returns the group in the syntax of read_values, or an empty string if the digits of the case exclude it.
     std::string (*group)(const Reading&) = nullptr;
-    /// Names of values that the group takes the place of.
+    /// Names of values that the group replaces.
     std::string_view replaces = {};
-    void (*read)(Reading&) = nullptr;  ///< in place of `group`
+    void (*read)(Reading&) = nullptr;  ///< used instead of `group`
 };
 
 void read_steps(Reading& reading, std::span<const Step> steps);
 
-/// Module 1, a wheel on its rail, and module 3, basic contact.
+/// Return the steps of module 1, a wheel on its rail, and of module 3, basic contact.
 std::span<const Step> steps_on_rails();
 std::span<const Step> steps_alone();
 
-// Steps that both modules have.
+// Steps of both modules.
 inline constexpr std::string_view solver_option_names =
     "OMEGAH OMEGAS INISLP OMGSLP FDECAY BETATH KDOWFB D_IFC D_LIN D_CNS D_SLP POW_S";
 std::string solver_bounds(const Reading& reading);
@@ -36,11 +36,11 @@ std::string damping(const Reading& reading);
 std::string heat_of_first(const Reading& reading);
 std::string heat_of_second(const Reading& reading);
 std::string plastic_heat(const Reading& reading);
-/// One set, sets by angle or place, or a set a row of elements, and the memory of friction behind them.
+/// Reads one set, sets by angle or place, or a set for each row of elements, followed by the memory of friction.
 void read_friction(Reading& reading);
 /// Returns the names of a law's numbers in the order of a set.
 std::span<const std::string_view> names_of_friction(int law);
-/// Output digits and blocks of points below the surface.
+/// Reads output digits and blocks of points below the surface.
 void read_subsurface(Reading& reading);
 
 // Steps of module 3.

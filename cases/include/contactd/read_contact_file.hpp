@@ -53,15 +53,15 @@ struct ContactCase {
 class ContactFileReader {
    public:
     /// `name` is that of the file, for messages. `text` and the observer, which may be null, must live as long as the
-    /// reader. Throws InvalidArgument for a text beyond most_contact_file_bytes, and for one that is no text.
+    /// reader. Throws InvalidArgument for a text longer than most_contact_file_bytes, and for binary data.
     ContactFileReader(std::string_view text, const std::string& name, const Observer* observer = nullptr);
     ~ContactFileReader();
     ContactFileReader(const ContactFileReader&) = delete;
     ContactFileReader& operator=(const ContactFileReader&) = delete;
 
-    /// Returns the next case, or none at the end. Throws Cancelled.
+    /// Returns the next case, or nothing at the end. Throws Cancelled.
     std::optional<ContactCase> next();
-    /// Sentences about the file so far that do not concern a case.
+    /// Return the warnings and errors so far that do not belong to a case.
     const std::vector<std::string>& warnings() const;
     const std::vector<std::string>& errors() const;
 
@@ -75,7 +75,8 @@ struct ContactFile {
     std::vector<std::string> warnings, errors;
 };
 
-/// Returns all cases of a file at once. Throws as ContactFileReader does, and beyond most_contact_cases.
+/// Returns all cases of a file at once. Throws the same errors as ContactFileReader, and InvalidArgument for more than
+/// most_contact_cases.
 ContactFile read_contact_file(std::string_view text, const std::string& name);
 
 }  // namespace contactd
