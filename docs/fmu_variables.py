@@ -27,9 +27,9 @@ def tables(described: Json) -> str:
             started = role != "output"
             parts.append(f"**{title}**\n")
             parts.append(
-                "| name | unit | start | what it is |\n|---|---|---|---|"
+                "| name | unit | start | description |\n|---|---|---|---|"
                 if started
-                else "| name | unit | what it is |\n|---|---|---|"
+                else "| name | unit | description |\n|---|---|---|"
             )
             parts += ["| " + " | ".join(_cells(row, started)) + " |" for row in rows]
             parts.append("")

@@ -1,4 +1,4 @@
-"""Variables of FMUs: the fields of a wheel on its rail that have a role there (`x-fmu`), by their paths."""
+"""Generates the variables of FMUs: the fields of a wheel on its rail that have a role there (`x-fmu`), by their paths."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from .declarations import ROOT, DeclarationError, Declarations, Schema
 
 GENERATED = ROOT / "client" / "fmu" / "variables" / "generated"
 ROLES = ("parameter", "input", "output")
-#: Where fields begin: what their paths begin with in contactd.h, and the schema there.
+#: Prefixes of paths in contactd.h, each with the schema where its fields begin.
 ROOTS = [
     ("setup", "definitions.json#/definitions/wheel_rail_setup"),
     ("state", "definitions.json#/definitions/wheel_rail_state"),
@@ -38,12 +38,12 @@ def _fields(declarations: Declarations, schema: Schema, above: str) -> Iterator[
 
 
 def _variable(root: str, name: str, field: Schema) -> str:
-    """A variable is called as its path without what all have; a field that may be left out is, where it is 0."""
+    """Returns a variable, named by its path without the common prefix. An optional field is omitted while its value is 0."""
     role, start = field["x-fmu"], field.get("default")
     if role not in ROLES or field.get("type") != "number":
         raise DeclarationError(f"{name} has x-fmu {role}; only numbers are variables, and these are {', '.join(ROLES)}")
     unit = field.get("x-unit", "").replace("^", "").replace(" ", ".")
-    says = field["description"] + (" 0: left out." if start is None and role != "output" else "")
+    says = field["description"] + (" 0: omitted." if start is None and role != "output" else "")
     path = f"{root}.{name}" if root else name
     parts = [f'.name = "{name}"', f".role = Role::{role}", f'.unit = "{unit}"', f".start = {number_text(start or 0)}"]
     parts += [f".says = {json.dumps(says)}", f'.path = "{path}"', f".zero_is_absent = {str(start is None).lower()}"]

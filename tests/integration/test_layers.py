@@ -107,7 +107,7 @@ def test_a_material_beside_layers_is_refused(shared_daemon):
     layers = {"source": "analytic", **RUBBER.params()}
     grid = {"nx": 2, "ny": 2, "dx": 1, "dy": 1}
     client = Client(shared_daemon.endpoint)
-    with client, pytest.raises(InvalidArgument, match="layers have materials of their own") as refused:
+    with client, pytest.raises(InvalidArgument, match="layers have their own materials") as refused:
         client.call("ic.get", {"material": {"G": 1, "nu": 0.5}, "grid": grid, "ics": layers})
     assert refused.value.violations[0].field == "material"
     with Client(shared_daemon.endpoint) as client, pytest.raises(InvalidArgument) as refused:

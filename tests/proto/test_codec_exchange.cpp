@@ -231,7 +231,7 @@ TEST_CASE("A bad export is named with what would be right", "[codec]") {
     SECTION("a second body in an IC file") {
         params["format"] = "hdf5";
         params["lower"] = {{"G", 1}, {"nu", 0.1}};
-        CHECK_THAT(refused(params), ContainsSubstring("lower does not go with format \"hdf5\""));
+        CHECK_THAT(refused(params), ContainsSubstring("lower cannot be combined with format \"hdf5\""));
     }
     SECTION("a second body that is none") {
         params["lower"] = {{"G", -1}, {"nu", 0.1}};

@@ -153,7 +153,7 @@ TEST_CASE("A bad field of a request for stresses is named", "[codec]") {
         Case{"/pressure", "[[1, 2, 3], [1e101, 0, 0]]", "pressure contains 1e+101; its values must lie in"},
         Case{"/traction_x", "[[1, 2, 3]]", "traction_x has 1 values"},
         Case{"/traction_y", "7", "traction_y is 7; it must be a list of numbers"},
-        Case{"/points", "[[0, 0, 0]]", "block does not go with points; remove one of them"},
+        Case{"/points", "[[0, 0, 0]]", "block cannot be combined with points; remove one of them"},
         Case{"/block", "{\"x\": [0], \"y\": [0]}", "block.z is missing"}, Case{"/block", "{}", "block.x is missing"},
         Case{"/block", "[[0, 0, 0]]", "block is a list with 1 value"},
         Case{"/block/x", "[[0]]", "block.x contains a list with 1 value at [0]; it must be a number"},

@@ -103,7 +103,7 @@ void damage(json& node, Generator& generator) {
 }
 
 bool says_what_would_be_right(const std::string& description) {
-    for (const char* phrase : {"it must", "known fields", "does not go with"})
+    for (const char* phrase : {"it must", "known fields", "cannot be combined with"})
         if (description.find(phrase) != std::string::npos) return true;
     return false;
 }

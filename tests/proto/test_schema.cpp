@@ -156,7 +156,7 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
                  "must be a material, an object with G and nu, or {\"rigid\": true}"},
             Case{"/bodies/lower", "{\"rigid\": false}", "bodies.lower.rigid", "is false; it must be true"},
             Case{"/bodies/lower", "{\"rigid\": true, \"nu\": 0.3}", "bodies.lower.nu",
-                 "does not go with rigid; only rigid do: a rigid body has no material"},
+                 "cannot be combined with rigid, which allows only rigid: a rigid body has no material"},
             Case{"/gap", "{}", "gap", "it must contain exactly one of array, half_ellipses, paraboloid, semi_axes"},
             Case{"/gap", "{\"semi_axes\": {\"a\": 1}}", "gap.semi_axes.b", "is missing; it must be a number"},
             Case{"/gap", "{\"semi_axes\": {\"a\": 1, \"b\": 0}}", "gap.semi_axes.b", "is 0; it must be positive"},
@@ -167,14 +167,14 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
             Case{"/gap/paraboloid/Rx", "-0.0", "gap.paraboloid.Rx", "it must not be"},
             Case{"/gap/paraboloid/Rz", "5", "gap.paraboloid.Rz", "known fields are Rx, Ry"},
             Case{"/approach", "\"deep\"", "approach", "is \"deep\"; it must be a number"},
-            Case{"/Fn", "9.2", "Fn", "does not go with approach; remove one of them"},
+            Case{"/Fn", "9.2", "Fn", "cannot be combined with approach; remove one of them"},
             Case{"/Fn", "-1", "Fn", "is -1; it must lie in [0, 1000000000000000000]"},
             Case{"/model", "\"exact\"", "model", "it must be one of \"full\", \"hertz\", \"fastsim\""},
             Case{"/friction/mu", "\"high\"", "friction.mu",
                  "is \"high\"; it must be a number, a list of numbers or {\"$array\": ...}"},
             Case{"/friction/mu", "{}", "friction.mu.$array", "is missing"},
             Case{"/friction/rolling", "{}", "friction.rigid_shift",
-                 "does not go with rolling; only mu, kinetic, layer, temperature, rolling"},
+                 "cannot be combined with rolling, which allows only mu, kinetic, layer, temperature, rolling"},
             Case{"/friction/rotation", "null", "friction.rotation", "is null; it must be a number"},
             Case{"/friction/duration", "0", "friction.duration", "is 0; it must be positive"},
             Case{"/friction/force", "[1]", "friction.force", "has 1 values; it must have 2"},
@@ -190,7 +190,7 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
             Case{"/previous", "{\"pressure\": 1}", "previous.pressure", "is 1; it must be a list of numbers"},
             Case{"/friction/mu", "-0.1", "friction.mu", "is -0.1; it must lie in [0, 1000]"},
             Case{"/friction", "{\"mu\": 0.4}", "friction.rigid_shift",
-                 "is missing; it must be a list of 2 values, unless force or rolling or rigid_slip is there"},
+                 "is missing; it must be a list of 2 values, unless force or rolling or rigid_slip is given"},
             Case{"/friction/rigid_shift", "[1]", "friction.rigid_shift", "has 1 values; it must have 2"},
             Case{"/friction/rigid_shift", "[1, 2, 3]", "friction.rigid_shift", "has 3 values; it must have 2"},
             Case{"/friction/rigid_shift", "[1, \"2\"]", "friction.rigid_shift[1]", "is \"2\"; it must be a number"},
@@ -199,8 +199,9 @@ TEST_CASE("A bad value of contact.solve is named with what would be right", "[sc
             Case{"/settings", "{\"outer\": {\"max_iterations\": 0}}", "settings.outer.max_iterations", "at least 1"},
             Case{"/initial", "{\"pressure\": null}", "initial.pressure", "is null"},
             Case{"/ics/order", "2", "ics.order",
-                 "does not go with source \"analytic\"; only source, body, load_shape, layers, base, line_contact, "
-                 "section do"}));
+                 "cannot be combined with source \"analytic\", which allows only source, body, load_shape, layers, "
+                 "base, "
+                 "line_contact, section"}));
 }
 
 TEST_CASE("A bad value of rolling is named with what would be right", "[schema]") {
@@ -220,11 +221,9 @@ TEST_CASE("A bad value of rolling is named with what would be right", "[schema]"
             Case{"/friction/rolling/velocity", "-1", "friction.rolling.velocity", "is -1; it must be positive"},
             Case{"/friction/rolling/force", "[1e19, 0]", "friction.rolling.force[0]", "it must lie in"},
             Case{"/friction/force", "[1, 2]", "friction.force",
-                 "does not go with rolling; only mu, kinetic, layer, temperature, rolling, rigid_slip do: rolling has "
-                 "its "
-                 "creepages and "
-                 "forces"},
-            Case{"/friction/duration", "2", "friction.duration", "does not go with rolling"}));
+                 "cannot be combined with rolling, which allows only mu, kinetic, layer, temperature, rolling, "
+                 "rigid_slip: creepages and forces of rolling"},
+            Case{"/friction/duration", "2", "friction.duration", "cannot be combined with rolling"}));
 }
 
 TEST_CASE("The full model needs coefficients, the quick ones need bodies only", "[schema]") {
@@ -253,7 +252,7 @@ TEST_CASE("Either the approach or the force is given", "[schema]") {
     const auto missing = violations_of("contact.solve.params", params);
     REQUIRE(missing.size() == 1);
     CHECK(missing[0].field == "approach");
-    CHECK(missing[0].description == "is missing; it must be a number, unless Fn is there");
+    CHECK(missing[0].description == "is missing; it must be a number, unless Fn is given");
     params["Fn"] = 0;
     CHECK_NOTHROW(check_params("contact.solve", params));
 }
@@ -288,7 +287,8 @@ TEST_CASE("What a request for an accuracy cannot hold is named, with the reason"
         const auto found = refused((R"({"source": "fem", "accuracy": 1e-3, )" + std::string(field) + "}").c_str());
         REQUIRE(found.size() == 1);
         CHECK(R"("ics.)" + std::string(field).substr(1, std::string(field).find(':') - 2) == '"' + found[0].field);
-        CHECK_THAT(found[0].description, ContainsSubstring("does not go with accuracy") && ContainsSubstring(mesh));
+        CHECK_THAT(found[0].description,
+                   ContainsSubstring("cannot be combined with accuracy") && ContainsSubstring(mesh));
     }
     CHECK(refused(R"({"source": "fem", "accuracy": 1e-3, "body": "block", "L_over_h": 20})").empty());
     CHECK(refused(R"({"source": "fem", "accuracy": 1e-3, "load_shape": "bilinear", "any_nu": true})").empty());
@@ -305,9 +305,9 @@ TEST_CASE("An accuracy is 1e-4 to 0.1 and goes with finite elements", "[schema]"
                         Case{"/ics/accuracy", "1", "ics.accuracy", "is 1; it must lie in [0.0001, 0.1]"},
                         Case{"/ics/accuracy", "\"high\"", "ics.accuracy", "it must be a number"},
                         Case{"/ics", R"({"source": "analytic", "accuracy": 1e-3})", "ics.accuracy",
-                             "does not go with source \"analytic\""},
+                             "cannot be combined with source \"analytic\""},
                         Case{"/ics", R"({"source": "analytic", "any_nu": true})", "ics.any_nu",
-                             "does not go with source \"analytic\""}));
+                             "cannot be combined with source \"analytic\""}));
 }
 
 TEST_CASE("A bad reference to a frame is ARRAY_INVALID", "[schema]") {

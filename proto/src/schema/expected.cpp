@@ -50,7 +50,7 @@ Bounds bounds_of(const json& schema) {
 }
 
 std::string number(double value) {
-    constexpr double largest = 9e18;  // of a whole number here
+    constexpr double largest = 9e18;  // largest whole number printed as an integer
     return std::abs(value) <= largest && value == std::trunc(value) ? dump(static_cast<long long>(value)) : dump(value);
 }
 
@@ -109,7 +109,7 @@ std::optional<std::string> broken_bound(const json& schema, double value) {
 }
 
 bool breaks_pattern(const json& schema, const std::string& value) {
-    constexpr std::size_t longest = 4096;  // std::regex takes stack for each character
+    constexpr std::size_t longest = 4096;  // std::regex needs stack for each character
     if (!schema.contains("pattern")) return false;
     return value.size() > longest || !std::regex_search(value, std::regex(schema["pattern"].get<std::string>()));
 }

@@ -22,7 +22,7 @@ const json& nothing() {
     return none;
 }
 
-/// A member of a schema, or an empty object.
+/// Returns a member of a schema, or an empty object.
 const json& member(const json& schema, std::string_view name) {
     const auto at = schema.find(name);
     return at == schema.end() ? nothing() : *at;
@@ -117,7 +117,7 @@ class Explainer {
         for (const json& part : member(schema, "allOf")) visit(part, known, value, path);
     }
 
-    /// anyOf, oneOf: each requires one field. oneOf takes exactly one of them, anyOf at least one.
+    /// anyOf and oneOf: each branch requires one field. oneOf accepts exactly one of them, anyOf at least one.
     void visit_alternatives(const json& schema, const json& known, const json& value, const std::string& path) {
         const bool exclusive = schema.contains("oneOf");
         std::vector<std::string> there, lacking;
@@ -128,10 +128,10 @@ class Explainer {
         if (there.empty() && !lacking.empty()) {
             const std::vector<std::string> others(lacking.begin() + 1, lacking.end());
             report(joined(path, lacking[0]), "is missing; it must be " + expected(member(known, lacking[0])) +
-                                                 ", unless " + listed(others, " or ") + " is there");
+                                                 ", unless " + listed(others, " or ") + " is given");
         }
         if (exclusive && there.size() > 1)
-            report(joined(path, there[1]), "does not go with " + there[0] + "; remove one of them");
+            report(joined(path, there[1]), "cannot be combined with " + there[0] + "; remove one of them");
     }
 
     void visit_members(const json& schema, const json& properties, const json& value, const std::string& path) {
@@ -150,7 +150,7 @@ class Explainer {
         }
     }
 
-    /// A question behind a word that is not one of those that the schema names; empty where none of these is like it.
+    /// Returns a question that suggests a keyword of the schema, or an empty text if none is similar.
     static std::string closest_choice(const json& schema, const json& value) {
         if (!value.is_string() || !schema.contains("enum")) return "";
         std::vector<std::string> choices;
@@ -182,8 +182,8 @@ class Explainer {
         report(path, problem + number + (open ? " fields" : " of " + listed(names_of(properties))));
     }
 
-    /// if: fields that are there, constants of some; then: the names of the fields that go with them, and perhaps, as
-    /// its description, why others do not.
+    /// `if` lists required fields and constants. `then` lists the names of the fields that can be combined with them;
+    /// its description, if any, is the reason.
     void visit_condition(const json& schema, const json& known, const json& value, const std::string& path) {
         if (!schema.contains("if")) return;
         Explainer condition(root_);
@@ -196,8 +196,9 @@ class Explainer {
         const std::string reason = then.value("description", std::string());
         for (const auto& entry : value.items())
             if (!is_choice(allowed, entry.key()))
-                report(joined(path, entry.key()), "does not go with " + conditions_of(schema["if"]) + "; only " +
-                                                      listed(allowed["enum"].get<std::vector<std::string>>()) + " do" +
+                report(joined(path, entry.key()), "cannot be combined with " + conditions_of(schema["if"]) +
+                                                      ", which allows only " +
+                                                      listed(allowed["enum"].get<std::vector<std::string>>()) +
                                                       (reason.empty() ? "" : ": " + reason));
     }
 

@@ -1,4 +1,4 @@
-// Sentences for what is wrong with a document that does not conform to its schema.
+// Explains in sentences why a document does not conform to its schema.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace contactd::proto {
 
-/// More than these are of no use to anyone and would let a stranger fill the memory.
+/// More violations would help nobody, and would let an attacker fill the memory.
 inline constexpr std::size_t max_violations = 20;
 
-/// The violations of `schema` (references inlined) by `document`, one per field, the deepest ones only. Knows the
-/// keywords that proto/schema uses.
+/// Returns the violations of `schema` (with references inlined) by `document`: one per field, and only the deepest
+/// ones. It supports the keywords that proto/schema uses.
 std::vector<Violation> explain(const nlohmann::json& schema, const nlohmann::json& document);
 
 }  // namespace contactd::proto

@@ -1,5 +1,5 @@
-// The OpenRPC document, made of the schemas so that the two cannot disagree. Summary, place and errors of a method
-// stand with its parameters.
+// Generates the OpenRPC document from the schemas, so that the two cannot disagree. The schema of its parameters
+// contains summary, order and errors of a method.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -15,12 +15,12 @@ using nlohmann::json;
 
 constexpr const char* place = "#/components/schemas/";
 
-/// One error for each status code; `data` of a reply's status says more (components.schemas.status).
+/// Defines one error for each status code; `data` is the status of the reply (components.schemas.status).
 json error(StatusCode code) {
     return {{"code", static_cast<int>(code)}, {"message", name_of(code)}};
 }
 
-/// Errors of every method, and those that the schema of this one adds.
+/// Returns the errors of every method, and those that the schema of this one adds.
 json errors_of(const json& params) {
     json errors{error(StatusCode::invalid_argument), error(StatusCode::permission_denied),
                 error(StatusCode::unimplemented), error(StatusCode::unavailable), error(StatusCode::internal)};

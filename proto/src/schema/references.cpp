@@ -12,7 +12,7 @@ using nlohmann::json;
 
 struct Reference {
     std::string document;  ///< name of the file
-    std::string pointer;   ///< JSON pointer within it, empty for all of it
+    std::string pointer;   ///< JSON pointer within it; empty for the whole file
 };
 
 Reference parsed(const std::string& text) {
@@ -23,14 +23,14 @@ Reference parsed(const std::string& text) {
     return {file.substr(0, file.size() - suffix.size()), hash == text.size() ? "" : text.substr(hash + 1)};
 }
 
-/// Where the parts of the files lie in the OpenRPC document: definitions under their own names.
+/// Returns the place of a part in the OpenRPC document: definitions have their own names.
 std::string path_of(const Reference& reference) {
     const std::string_view definitions = "/definitions/";
     if (reference.document != "definitions") return reference.document + reference.pointer;
     return reference.pointer.substr(definitions.size());
 }
 
-/// Notes from which code is generated, which a reader of messages need not know.
+/// These annotations control generated code and are irrelevant to readers of messages.
 constexpr std::array notes_of_sources{"x-cpp",      "x-cpp-at",    "x-cpp-items",   "x-cpp-list", "x-cpp-none",
                                       "x-cpp-only", "x-cpp-owner", "x-derived",     "x-fmu",      "x-parity",
                                       "x-partial",  "x-python",    "x-python-class"};

@@ -1,5 +1,5 @@
-// References between the files of proto/schema: {"$ref": "definitions.json#/definitions/NAME"}, a place within another
-// file, or a whole one, {"$ref": "contact.solve.params.json"}.
+// Resolves references between the files of proto/schema: {"$ref": "definitions.json#/definitions/NAME"}, a place within
+// another file, or a whole file, {"$ref": "contact.solve.params.json"}.
 #pragma once
 
 #include <functional>
@@ -10,18 +10,20 @@
 
 namespace contactd::proto {
 
-/// The files of proto/schema by their names without ".json".
+/// Returns the files of proto/schema by their names without ".json".
 using Documents = std::map<std::string, nlohmann::json, std::less<>>;
 
-/// The schema of a file without what belongs to the file only: "$schema", and of a method "x-order", its place among
-/// all methods, "x-summary", a sentence, and "x-errors", the status codes it may answer besides those of every method.
+/// Returns the schema of a file without the keys that describe the file or the method: "$schema", "x-order" (the
+/// method's place among all methods), "x-summary" (a sentence) and "x-errors" (status codes besides those of every
+/// method).
 nlohmann::json without_file_notes(nlohmann::json document);
 
-/// `schema` with every reference replaced by what it refers to; what stands beside the reference (description, default)
-/// wins over what is said there.
+/// Returns `schema` with every reference replaced by its target. Keys beside the reference (description, default)
+/// override those of the target.
 nlohmann::json inlined(const nlohmann::json& schema, const Documents& documents);
 
-/// `schema` with every reference pointing to `prefix` + NAME instead: that of the definition, or of the file.
+/// Returns `schema` with every reference pointing to `prefix` + NAME instead: the name of the definition or of the
+/// file.
 nlohmann::json redirected(const nlohmann::json& schema, const std::string& prefix);
 
 }  // namespace contactd::proto

@@ -16,9 +16,9 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_members = 128;
-constexpr std::size_t longest_for_a_pattern = 4096;  // std::regex takes stack for each character
+constexpr std::size_t longest_for_a_pattern = 4096;  // std::regex needs stack for each character
 
-/// Keywords that say nothing of what conforms.
+/// These keywords do not affect conformance.
 constexpr std::array notes{"$schema", "title", "description", "default", "definitions", "examples"};
 
 unsigned bit(JsonKind kind) {
@@ -87,7 +87,7 @@ void Rules::read_type(const json& type) {
 }
 
 void Rules::read_member(const std::string& name, const json& schema) {
-    object_.members.push_back({name, std::make_unique<const Rules>(schema)});  // by name, as nlohmann keeps them
+    object_.members.push_back({name, std::make_unique<const Rules>(schema)});  // by name, in the order of nlohmann-json
 }
 
 void Rules::read_required(const json& names) {
@@ -198,7 +198,7 @@ bool Rules::number_conforms(double number) const {
 
 bool Rules::text_conforms(std::string_view text) const {
     if (least_characters_ > 0 && text.starts_with('\0')) return false;
-    // A character has one byte at least, and most texts are far from their bounds.
+    // A character has at least one byte, and most texts are far from their bounds.
     if (least_characters_ > 0 || text.size() > most_characters_) {
         const std::size_t length = characters(text);
         if (length < least_characters_ || length > most_characters_) return false;
@@ -216,7 +216,7 @@ bool Rules::list_conforms(const Value& list) const {
     return !items_ || all_elements(list, [&](const auto& element) { return items_->hold_for(element); });
 }
 
-/// `after` is the place behind the member that was found last: names mostly come in the order of the members.
+/// `after` is the place after the last match: names mostly arrive in the order of the members.
 const Rules::Member* Rules::ObjectRules::find(std::string_view name, std::size_t& after) const {
     auto from = members.begin();
     if (after > 0 && members[after - 1].name < name) from += static_cast<std::ptrdiff_t>(after);

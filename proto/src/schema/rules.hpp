@@ -1,4 +1,4 @@
-// Rules are a schema in the form of numbers and pointers: a check of a document allocates nothing.
+// Compiles a schema into numbers and pointers, so that checking a document allocates nothing.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +18,14 @@ namespace contactd::proto {
 /// Holds the rules of one schema of draft-07 without references, with the keywords that proto/schema uses.
 class Rules {
    public:
-    /// Throws std::logic_error for a keyword that is unknown, or has another form than proto/schema gives it.
+    /// Throws std::logic_error for a keyword that is unknown, or has another form than in proto/schema.
     explicit Rules(const nlohmann::json& schema);
     Rules(Rules&&) noexcept;
     ~Rules();
 
-    /// Returns whether the document keeps all rules. Thread-safe.
+    /// Returns whether the document conforms. Thread-safe.
     bool conform(const nlohmann::json& document) const;
-    /// Refuses also an object that has a name twice.
+    /// Also rejects an object with a repeated name.
     bool conform(const AnswerValue& document) const;
 
    private:
@@ -39,8 +39,8 @@ class Rules {
     struct ObjectRules {
         std::vector<Member> members;               ///< by name
         std::size_t required = 0;                  ///< of the members
-        std::vector<std::string> required_beside;  ///< names that are no members
-        bool closed = false;                       ///< against all but the members
+        std::vector<std::string> required_beside;  ///< names that are not members
+        bool closed = false;                       ///< applied to everything except the members
         Part others, names;
         std::size_t least = 0, most = std::numeric_limits<std::size_t>::max();
 
@@ -68,7 +68,7 @@ class Rules {
     bool text_conforms(std::string_view text) const;
     bool number_conforms(double number) const;
 
-    unsigned kinds_ = ~0U;  ///< a bit each kind
+    unsigned kinds_ = ~0U;  ///< one bit per kind
     std::vector<nlohmann::json> choices_;
     double least_ = -std::numeric_limits<double>::infinity(), most_ = std::numeric_limits<double>::infinity();
     double above_ = -std::numeric_limits<double>::infinity(), below_ = std::numeric_limits<double>::infinity();

@@ -23,10 +23,10 @@ struct CompiledSchema {
 };
 using Registry = std::map<std::string, CompiledSchema, std::less<>>;
 
-/// Schema of params that are one list of another method's.
+/// Returns the schema of params that consist of one list of another method's params.
 struct ListSchema {
     std::string name;      ///< of the list
-    CompiledSchema shape;  ///< of all but the members
+    CompiledSchema shape;  ///< of everything except the members
     CompiledSchema member;
 };
 using ListSchemas = std::map<std::string, ListSchema, std::less<>>;
@@ -66,7 +66,7 @@ const ListSchema& list_schema(const std::string& method) {
     return schemas.at(method + ".params");
 }
 
-/// By the places that the schemas of their parameters give them.
+/// Orders methods by the places in the schemas of their parameters.
 std::vector<std::string> methods_in_order() {
     constexpr std::string_view suffix = ".params";
     std::map<int, std::string> methods;

@@ -1,4 +1,4 @@
-// The files of proto/schema as they were when the library was built.
+// Contains the files of proto/schema at the time of the build.
 #pragma once
 
 #include <string_view>

@@ -17,7 +17,7 @@ bool continues_character(char c) {
     return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u;
 }
 
-/// Length of the longest common subsequence.
+/// Returns the length of the longest common subsequence.
 std::size_t common_letters(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1, 0);
     for (const char letter : a) {

@@ -1,4 +1,4 @@
-// How a value or a name of a request is quoted in an error message.
+// Quotes values and names of a request in error messages.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,23 @@
 
 namespace contactd::proto {
 
-/// Longest quotation of something the sender wrote, in bytes.
+/// Longest quotation of a text from the sender, in bytes.
 inline constexpr std::size_t max_shown = 60;
 
-/// How many characters a text of UTF-8 has.
+/// Returns the number of characters of a UTF-8 text.
 std::size_t characters(std::string_view text);
 
-/// At most `limit` bytes, cut between characters and marked when cut; control characters become spaces.
+/// Returns at most `limit` bytes of the text, cut between characters and marked when cut. Control characters become
+/// spaces.
 std::string shortened(std::string_view text, std::size_t limit = max_shown);
 
-/// A scalar as JSON, shortened; lists and objects by their kind and size.
+/// Returns a scalar as shortened JSON; describes lists and objects by kind and size.
 std::string shown(const nlohmann::json& value);
 
-/// The one of `names` that looks most like `name`, for a hint at what was misspelt; empty where none does.
+/// Returns the most similar one of `names`, to suggest a spelling; empty if none is similar.
 std::string closest_name(std::string_view name, const std::vector<std::string>& names);
 
-/// "a, b, c"
+/// Returns "a, b, c".
 std::string listed(const std::vector<std::string>& names, std::string_view separator = ", ");
 
 }  // namespace contactd::proto

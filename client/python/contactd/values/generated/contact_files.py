@@ -55,7 +55,7 @@ class ContactFile(ContactFileMethods[ContactCase]):
 
     Attributes:
         cases: The cases in the order of the file.
-        warnings: Sentences on the file that are about no case.
+        warnings: Warnings about the file that concern no single case.
         errors: Errors: text between cases that does not belong there.
     """
 
@@ -70,7 +70,7 @@ class ContactSlice:
 
     Attributes:
         u: Position of the slice along the track (mm) or around the wheel (rad), with the list's offset and scale.
-        file: Its profile, as written: relative to the folder of the list.
+        file: Name of the profile file as written, relative to the folder of the list.
         features: Lengths along the profile from its first point to the features (mm), as in rail_slices. Empty if the
             profile has one part.
     """
@@ -86,7 +86,7 @@ class ContactSlices:
 
     Attributes:
         slices: Slices in rising order of u.
-        is_approximated: Whether the surface approximates the slices (U_INTPOL = 2) or interpolates them.
+        is_approximated: True if the surface approximates the slices (U_INTPOL = 2), false if it interpolates them.
         kinks: Numbers of the parts that begin with a kink.
         accelerations: Numbers of the parts that begin with a jump of curvature.
     """

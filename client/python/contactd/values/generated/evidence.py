@@ -52,7 +52,7 @@ class SlopeReduction:
     Attributes:
         k0: Share of Kalker's slope for small creepages, usually up to 1. Default 1.
         alpha: Fraction of k0 that remains for large creepages, usually at most 1. Default 1.
-        beta: How fast k falls from k0 to alpha k0. Default 0.
+        beta: Rate at which k falls from k0 to alpha k0. Default 0.
     """
 
     k0: float | None = None
@@ -71,7 +71,7 @@ class SimplifiedSettings:
             k0 C11 w/(4 mu Fn) and w is the size of the creepage including spin. If None, k = 1, Kalker's slope.
         bound: Bound of tractions in an ellipse, for fastsim. parabolic: the usual bound, a third higher in the middle.
             elliptic: mu times Hertz's pressure. Default "parabolic".
-        on_elements: Whether fastsim uses whole steps of the grid's elements, with spin evaluated
+        on_elements: True if fastsim uses whole steps of the grid's elements, with spin evaluated
             friction.rolling.spin_offset steps ahead, and sums over elements as forces. Otherwise the ellipse has its
             own slices, which converge to the limit of small elements. Kinetic friction, a slope, an elliptic bound,
             blended flexibilities and pressures of a normal_model require elements and select them automatically.
@@ -125,12 +125,12 @@ class TangentialSettings(SolverSettings):
 
 @dataclass(frozen=True)
 class SolverEvidence:
-    """How a solver ended.
+    """Convergence of a solver.
 
     Attributes:
         iterations: Number of iterations.
-        residual: The figure that the stopping criterion compares with the tolerance.
-        converged: Whether the tolerance was reached.
+        residual: Value that the stopping criterion compares with the tolerance.
+        converged: True if the tolerance was reached.
         seconds: Duration (s).
     """
 
@@ -148,7 +148,7 @@ class LoadCase:
         load: Axis of the load. One of "x", "y", "z".
         iterations: Conjugate-gradient iterations.
         residual: True relative residual.
-        converged: Whether the stopping criterion reached the tolerance.
+        converged: True if the stopping criterion reached the tolerance.
         seconds: Duration of the solve (s).
         update: Relative update in the last iteration, if that is the stopping criterion.
     """
@@ -196,12 +196,12 @@ class IcErrors:
 
 @dataclass(frozen=True)
 class SectionEvidence:
-    """How the transform of the coefficients of a longitudinally uniform body was computed by finite elements. Errors
-    are relative to zz of the half-space under an element as long as a column is wide.
+    """Finite-element computation of the transform of the coefficients of a longitudinally uniform body. Errors are
+    relative to zz of the half-space under an element as long as a column is wide.
 
     Attributes:
         order: Polynomial order of the elements.
-        wavenumbers: Number of wavenumbers that it was computed at.
+        wavenumbers: Number of wavenumbers at which the transform was computed.
         error: Error of any coefficient: the sum of the three below.
         mesh_error: Error of the mesh, from elements of the next order.
         wavenumber_error: Error of the interpolation between wavenumbers, estimated with every second one.
@@ -220,7 +220,7 @@ class SectionEvidence:
 
 @dataclass(frozen=True)
 class IcEvidence:
-    """How a table was computed, and its errors. A closed form, and a table in the request, have no build.
+    """Origin and errors of a table, and details of its build. A closed form, and a table in the request, have no build.
 
     Attributes:
         source: Closed form, finite elements, or a table that came with the request. One of "analytic", "fem", "table".
@@ -231,21 +231,22 @@ class IcEvidence:
         seconds: Duration of the stages (s).
         load_cases: The solves, one per load; for a family those of all its tables.
         errors: Errors against the closed form if one exists; otherwise estimates, if an accuracy was requested.
-        errors_estimated: Whether errors are an estimate because no closed form exists. For a block: half of the
-            difference to a coarser mesh. For layers: three times the differences to a second computation, for xx, yy
-            and zz relative to the larger of zz at the origin and 1e-3 times thickness over G of the first layer.
-        warnings: Warnings about the table; for example that the mesh is outside the ranges recommended in the paper.
+        errors_estimated: True if errors are estimates because no closed form exists. For a block, they are half of the
+            difference to a coarser mesh. For layers, they are three times the differences to a second computation;
+            those of xx, yy and zz are relative to the larger of zz at the origin and 1e-3 times thickness over G of the
+            first layer.
+        warnings: Warnings about the table: for example, the mesh is outside the ranges recommended in the paper.
         solver: Solver of the linear systems. One of "amg_pcg", "direct", "tensor_pcg".
         mesh: The mesh chosen for a requested accuracy of the half-space, as fields of ics that select it.
         family_nu: Poisson's ratios of the tables of a family.
         interpolation_error: Estimate of the largest error added by interpolation between the tables of a family,
             measured like accuracy.
-        section: How the transform of the coefficients of a longitudinally uniform body was computed by finite elements.
+        section: Finite-element computation of the transform of the coefficients of a longitudinally uniform body.
             Errors are relative to zz of the half-space under an element as long as a column is wide.
         modelling_error: Modelling error of a block: the largest difference between its table, for a load in the middle,
             and a load in the corner of as many elements about the middle as the table has offsets. It is measured like
             accuracy and includes a margin of one tenth for loads between corner and middle.
-        imported: Whether the table was imported. All other values are then those of the importer.
+        imported: True if the table was imported. All other values are then those of the importer.
     """
 
     source: str
@@ -275,7 +276,7 @@ class IcUse:
         origin: Origin of a table. given: in the request; file: in the request that imports it. One of "closed_form",
             "memory", "disk", "built", "given", "file".
         key: Digest that identifies the table in the store.
-        evidence: How the table was made.
+        evidence: Evidence of the table.
     """
 
     origin: str
@@ -285,8 +286,8 @@ class IcUse:
 
 @dataclass(frozen=True)
 class Discretisation:
-    """How finely the elements divide the contact, and estimates of the relative errors of this grid against the limit
-    of small elements. Only for model full with contact.
+    """Resolution of the contact by the elements, and estimates of the relative errors of this grid against the limit of
+    small elements. Only for model full with contact.
 
     Attributes:
         elements_across: Elements across the contact, in the direction with fewer. A direction in which the contact
@@ -297,9 +298,9 @@ class Discretisation:
             elements_across.
         rolling_error: Estimated error of the tangential force in rolling under a small creepage, from elements_across
             and dq. The error is smaller if most of the contact slips.
-        compliance_ratio: For bodies with layers: the compliance of layers that elements of this size represent, under
-            pressures as wide as the contact, over their true compliance; 1 for fine elements. Both errors above include
-            it.
+        compliance_ratio: For bodies with layers, the compliance that elements of this size represent, under pressures
+            as wide as the contact, divided by the true compliance of the layers; 1 for fine elements. Both errors above
+            include it.
     """
 
     elements_across: int
@@ -316,8 +317,8 @@ class OperatorUse:
     smaller ones.
 
     Attributes:
-        made: Whether the operators were made for this solve or kept from an earlier one. If they were made, a warning
-            is given.
+        made: True if the operators were made for this solve, which also causes a warning; false if they were kept from
+            an earlier one.
         bytes: Approximate memory of the operators.
         budget_bytes: store.influence_budget_bytes.
     """
@@ -329,7 +330,7 @@ class OperatorUse:
 
 @dataclass(frozen=True)
 class ContactEvidence:
-    """How the solvers ended, and which coefficients they used. Solvers that did not run are None.
+    """Convergence of the solvers, and the coefficients that they used. Solvers that did not run are None.
 
     Attributes:
         normal: NORM, which finds the pressures.
@@ -339,10 +340,10 @@ class ContactEvidence:
         outer: Outer (Panagiotopoulos) iterations between normal and tangential contact of dissimilar bodies, and
             between slip and kinetic friction, if needed. The residual is the relative change of the tractions expected
             from further iterations; with kinetic friction it is the last change.
-        force: How the motion was found that produces a prescribed tangential force. The iterations are those of
-            Newton's method on motion and tractions, plus the solves of a search if that failed. The residual is the
-            last error of the force over the friction bound.
-        discretisation: How finely the elements divide the contact, and estimates of the relative errors of this grid
+        force: Search for the motion that produces a prescribed tangential force. The iterations are those of Newton's
+            method on motion and tractions, plus the solves of a search if that failed. The residual is the last error
+            of the force over the friction bound.
+        discretisation: Resolution of the contact by the elements, and estimates of the relative errors of this grid
             against the limit of small elements. Only for model full with contact.
         derivatives: Linear equations of the derivatives, if these were requested and there is contact: the total number
             of iterations, and the largest relative residual. Simplified models have no such equations.

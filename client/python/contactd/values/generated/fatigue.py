@@ -24,7 +24,7 @@ class FatigueStrength(HasParams):
 
     Attributes:
         name: Name of the steel.
-        source: Where its numbers come from: a paper, a test.
+        source: Source of the values: a paper, a test.
         shear_yield: k, the yield strength in cyclic shear (N/mm^2), > 0.
         a_DV: Dang Van's coefficient of the hydrostatic stress (>= 0). If None, Dang Van's stress is not computed.
         tau_e: Endurance limit in alternating shear for comparison with Dang Van's stress (N/mm^2), > 0. If None, no
@@ -49,7 +49,7 @@ class DamageFunction(HasParams):
 
     Attributes:
         name: Name of the function, unique in the request.
-        source: Where its numbers come from: a paper, a fit.
+        source: Source of the values: a paper, a fit.
         range: Range of T gamma (N) in which the function was fitted. A contact outside the range has a warning.
         pieces: Damage of a passage by T gamma (N), as pieces value + slope (argument - from), the first one from 0.
             Where damage is negative, wear removes cracks.

@@ -53,8 +53,8 @@ class FemIcs:
             combined with accuracy. Default 640.
         accuracy: Largest requested error (0.0001 to 0.1): relative for xx, yy, zz, times 2 pi G rho / (dx dy) for the
             others. Mesh and solver are chosen to reach it. Default 1e-3 if no field names a mesh.
-        any_nu: Whether to build a family of tables over Poisson's ratio from 0 to 0.49. material.nu is the value to
-            interpolate to. Default False.
+        any_nu: True to build a family of tables over Poisson's ratio from 0 to 0.49. The answer is interpolated to
+            material.nu. Default False.
         body: The elastic body: the half-space z <= 0; the block [-L, L]^2 x [-L, 0] with u = 0 on all faces except the
             top; or longitudinally_uniform, with the same cross-section everywhere along x, which requires an accuracy.
             Default "half_space".
@@ -68,12 +68,12 @@ class FemIcs:
         t1_over_hs: Thickness of the first layer outside the cube over the element size of the cube's mesh, for meshes
             hex and prism (>= 0); 0 stands for f, the paper's choice. Default 0.
         order: Polynomial order of the displacement (1 to 6). Default 2.
-        mesh: Kind of mesh. hex is the paper's Mesh1, prism its Mesh2; adaptive meshes are hexahedra refined where an
-            error estimate requires it. Default "hex".
+        mesh: Kind of mesh. hex is the paper's Mesh1 and prism its Mesh2. adaptive consists of hexahedra refined where
+            an error estimate requires it. Default "hex".
         diagonal: Diagonal that divides a quadrilateral of the cross-section, for mesh prism: outward from its corner
             nearest to the load, or across. Default "outward".
-        max_dofs: Number of unknowns beyond which an adaptive mesh is not refined. The adaptive mesh starts from its own
-            mesh, is built by one process, and cannot be combined with any_nu. Default 60000.
+        max_dofs: Number of unknowns beyond which an adaptive mesh is not refined. An adaptive mesh starts from its own
+            initial mesh, is built by one process, and cannot be combined with any_nu. Default 60000.
         far_boundary: Condition on the far faces of the mesh: clamped is u = 0; half_space prescribes the displacements
             of the half-space under the load. Default half_space; clamped with a preset and for body block, which
             accepts only this value.

@@ -25,8 +25,8 @@ class InterfacialLayer:
 
     Attributes:
         flexibility: Thickness of the layer over its shear modulus, h3/G3 (mm^3/N), >= 0; 0 leaves flow only. Default 0.
-        yield_stress: Initial yield stress tau_c0 (N/mm^2), > 0: the shear stress at which a particle yields that has
-            just entered the contact. If None, the layer never yields.
+        yield_stress: Initial yield stress tau_c0 (N/mm^2), > 0: the shear stress at which a particle yields when it
+            enters the contact. If None, the layer never yields.
         hardening: Slope k_tau of the yield stress over the accumulated plastic flow of a particle (N/mm^3); negative
             for softening. Default 0.
         residual: Part of yield_stress that softening leaves (0 to 1). Default 0.1.

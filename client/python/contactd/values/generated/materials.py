@@ -53,7 +53,7 @@ class ViscoelasticBody(ViscoelasticBodyMethods, Checked):
     Attributes:
         G: Instantaneous shear modulus (N/mm^2), > 0; the long-term modulus is G/(1 + f).
         nu: Poisson's ratio (0 to 0.5), constant in time.
-        f: Delayed compliance over that at once (>= 0); 0 is elastic of modulus G.
+        f: Delayed compliance divided by the instantaneous one (>= 0); 0 is elastic with modulus G.
         tau: Retardation time of creep (s), >= 0; 0 is elastic with modulus G/(1 + f). Stress relaxes in tau/(1 + f).
     """
 
@@ -96,7 +96,7 @@ class LayeredBody(LayeredBodyMethods[Layer, Material | RigidBody], Checked, HasP
         LayeredBody([Layer(0.01, G=120000, nu=0.25), Layer(0.5, G=30000, nu=0.3)], base=Material(G=82000, nu=0.28))
 
     Attributes:
-        layers: From the surface down; at most 20, whose shear moduli differ by a factor of at most 1e9.
+        layers: Layers from the surface down, at most 20. Their shear moduli differ by a factor of at most 1e9.
         base: The half-space below them, or a fixed RigidBody.
     """
 

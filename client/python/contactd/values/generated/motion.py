@@ -69,7 +69,7 @@ class Shift:
         rigid_shift: (w_x, w_y) of the upper body over the lower, at the origin (mm).
         rotation: Rotation about z, positive from x to y (rad).
         duration: Duration of the step (s).
-        force: What was prescribed (N).
+        force: Prescribed force (N).
     """
 
     rigid_shift: tuple[float, float]
@@ -115,7 +115,7 @@ class KineticFriction:
 
     Attributes:
         mu: Kinetic coefficient mu_k, at most the static coefficient (>= 0).
-        slip_velocity: Slip velocity v_c of the fall (mm/s), > 0.
+        slip_velocity: Slip velocity v_c of the law (mm/s), > 0.
         law: Shape of the decrease from the static coefficient friction.mu to the kinetic one. Default "exponential".
         start: Initial state of the iterations in which coefficients follow the slip: adhesion, with the static
             coefficient, or full slip, with the kinetic one. A steep law may have several solutions; this choice selects
@@ -144,8 +144,8 @@ class TemperatureFriction:
     Attributes:
         change: Change of the coefficient from the temperature reference to reference + range; negative for falling
             friction.
-        reference: Temperature up to which the coefficient is that of friction (degC).
-        range: Rise of the temperature over which the coefficient changes (K), > 0.
+        reference: Temperature below which the coefficient is friction.mu (degC).
+        range: Rise of the temperature above reference over which the coefficient changes (K), > 0.
         memory: Friction with memory. The coefficient of a particle follows the temperature law over a slip distance, d
             mu/dt = -max(v, v_0) / d (mu - mu(T)), and starts from that of unheated surfaces where the particle enters
             the contact. If None, it follows at once.

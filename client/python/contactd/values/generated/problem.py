@@ -96,27 +96,27 @@ class ContactProblem(ProblemMethods, Saved):
             is 1e-8.
         tangential: Stopping criterion for the tractions under friction, and the solver that computes them.
         initial: Initial estimate for the solvers: tractions of a similar problem.
-        Fn: Normal force (N), >= 0; the approach is found then.
+        Fn: Normal force, instead of approach, which is then computed (N), >= 0.
         model: full: boundary elements. hertz: closed forms of elliptic contact, and with ics.line_contact of line
             contact. The models of vehicle codes, for steady rolling: fastsim, Kalker's simplified theory; fastrip,
             strip theory with FASTSIM in the slip area; polach, Polach's forces, without tractions and spin moment. All
             but full require a paraboloid or semi-axes, unless normal_model computes the pressures, and accept only
             line_contact of ics. Default "full".
-        previous: Tractions at the end of the previous step, where a shift or transient rolling starts. None fields are
-            zero. Also the state of friction: yield stresses of a layer, and coefficients with memory. Without it the
-            surfaces have just met.
+        previous: Tractions at the end of the previous step, where a shift or transient rolling starts, and the state of
+            friction: yield stresses of a layer, and coefficients with memory. None fields are zero. If previous is
+            None, the surfaces have just come into contact.
         outer: Stopping criterion of the outer (Panagiotopoulos) iterations around these, which dissimilar bodies,
             kinetic friction and prescribed tangential forces require. The default limit is 100 iterations.
         upper_ics: Influence coefficients of the upper body, if they differ from `ics`; a table is that of this body.
         lower_ics: Influence coefficients of the lower body. If both this and `lower` are None, those of the upper body.
-        derivatives: Whether the solution has derivatives of its forces by motion, load and friction. Refused for
-            transient rolling of several steps, and with kinetic friction.
+        derivatives: True to compute the derivatives of the forces by motion, load and friction. Refused for transient
+            rolling of several steps, and with kinetic friction.
         columns: Shape of a surface that is curved along y. Rows of the grid are columns of elements of the lower body,
             dy is their arc length, and the axes of an element are those of its column. Requires model full and an array
             of distances along the columns' normals as the gap. The section's axes are y to the right, z up, x towards
             the reader. If None, a plane.
-        displacements: Whether the solution has the displacements of the surfaces, and the elastic energy. Refused for
-            simplified models.
+        displacements: True to compute the displacements of the surfaces and the elastic energy. Refused for simplified
+            models.
         sheet_flexibility: Flexibility of a thin sheet between the bodies (mm^3/N), >= 0: its product with the pressure
             is added to the normal displacement of the same element only. Requires model full. Default 0.
         normal_model: Model of the pressures. of_model: according to model, by boundary elements or Hertz. The models of

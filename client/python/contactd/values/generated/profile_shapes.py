@@ -76,8 +76,8 @@ class ProfilePoints(MeasuredProfile):
     Attributes:
         points: (y, z) in the order of the curve, from either end, shape [n, 2].
         unit: Unit of the points in mm; 1000 for metres. Default 1.
-        mirror_y: Whether y points to the other side. Default False.
-        mirror_z: Whether z points upwards. Default False.
+        mirror_y: True if y points to the other side. Default False.
+        mirror_z: True if z points upwards. Default False.
         smoothing_length: Wavelength whose amplitude smoothing halves (mm), about 5 for measured profiles; 0: no
             smoothing. Default 0.
     """
@@ -94,8 +94,9 @@ class KinkRule:
     """Definition of a kink, at which the curve is broken.
 
     Attributes:
-        angle: Points turn by more than this at a kink (rad), 0 to 3.14159. Default 0.5235987755982988.
-        rest: Near a kink they turn by no more than this anywhere else (rad), 0 to 3.14159. Default 0.10471975511965978.
+        angle: Points turn by more than this angle at a kink (rad), 0 to 3.14159. Default 0.5235987755982988.
+        rest: Points near a kink turn by no more than this angle anywhere else (rad), 0 to 3.14159. Default
+            0.10471975511965978.
         width: Distance along the points, on both sides of a kink, that counts as near it (mm), >= 0. Default 2.
     """
 
@@ -120,12 +121,13 @@ class ProfileFile(FileOfProfile):
         name: Path of the file; its extension determines the format.
         text: Content of the file; None: read from the path.
         unit: Length of the unit of the points in mm, instead of that in the file (>= 1e-06): 1000 for metres, 25.4 for
-            inches. If None, as the file states, otherwise mm; impossible widths of wheels and rails are refused.
-        mirror_y: Whether to mirror y, after the settings of the file. Default False.
-        mirror_z: Whether to mirror z, after the settings of the file. If None, as a Simpack file states; in other files
-            as the shape of the points requires, and refused if the shape is ambiguous.
-        shift_y: Added to y at last, after mirroring (mm). Default 0.
-        shift_z: Added to z at last, after mirroring (mm). Default 0.
+            inches. If None, the unit stated in the file, otherwise mm. Impossible widths of wheels and rails are
+            refused.
+        mirror_y: True to mirror y, after the settings of the file. Default False.
+        mirror_z: True to mirror z, after the settings of the file. If None, Simpack files state the direction, and
+            other files are mirrored if the shape of the points requires it; an ambiguous shape is refused.
+        shift_y: Added to y last, after mirroring (mm). Default 0.
+        shift_z: Added to z last, after mirroring (mm). Default 0.
         smoothing_length: Wavelength at which smoothing halves the amplitude, about 5 for measured profiles (mm), >= 0;
             0: no smoothing. Default 0.
         smoothing_order: Order of the derivative that smoothing minimizes (2 to 3): 2, the curvature, or 3, its change,

@@ -27,17 +27,17 @@ class RecentSolve:
             solves.pressures.
         method: Requested method.
         id: Id of the request.
-        at: When it ended (s since 1970).
+        at: Time at which the solve ended (s since 1970).
         seconds: Time from its start in a worker to its end (s).
-        elements: Elements of its grid; of wheels on rails those of all patches.
+        elements: Elements of the grid; for wheels on rails those of all patches.
         patches: Number of grids: one, or for wheels on rails the number of contact patches.
-        converged: Whether every solver reached its tolerance.
+        converged: True if every solver reached its tolerance.
         iterations: Iterations of the normal and the tangential solvers together.
         residual: Largest of the values that the solvers compared with their tolerances.
         forces: Fx, Fy, Fn on the upper body; for wheels on rails Fx, Fy, Fz on the rail or both rails, in track
             coordinates (N).
         pmax: Largest pressure (N/mm^2).
-        has_pressures: Whether solves.pressures can return the pressures.
+        has_pressures: True if solves.pressures can return the pressures.
         grid: Grid of a contact. None for wheels on rails.
     """
 
@@ -62,7 +62,7 @@ class RecentPatch:
     """The pressures on a grid of a solve.
 
     Attributes:
-        grid: Its elements; of wheels on rails in contact coordinates (mm).
+        grid: Elements of the grid; for wheels on rails in contact coordinates (mm).
         pressure: Pressures (N/mm^2), shape [ny, nx].
         element_division: Shape [ny, nx], bytes: 0 exterior, 1 adhesion, 2 slip.
     """
@@ -79,7 +79,7 @@ class ImportedIc:
     Attributes:
         spec: Specification of the table. For a longitudinally uniform body dx and nx are ignored: it serves any values.
         ics: The table that is served to this user now. Its origin is file, or disk if a table already existed.
-        new: Whether the table was stored. A table that was already served to the user stays.
+        new: True if the table was stored. A table that already serves this user is kept.
     """
 
     spec: IcSpec
@@ -96,7 +96,7 @@ class StoredIc:
         nx: Offsets along x.
         ny: Offsets along y.
         bytes: Size of the file.
-        evidence: How the table was made, if requested and if its file can be read.
+        evidence: Evidence of the table, if requested and if its file can be read.
     """
 
     key: str
@@ -114,9 +114,9 @@ class QuarantinedIc:
         key: Digest that identifies the table in the store.
         nx: Offsets along x.
         ny: Offsets along y.
-        failures: Builds that failed.
+        failures: Number of failed builds.
         message: Message of the last failure.
-        seconds: Time until it may be tried again (s).
+        seconds: Time until the next build is allowed (s).
     """
 
     key: str

@@ -24,8 +24,8 @@ class RegionLimits(HasParams):
         RegionLimits(x=(-3, -1), y=(-2, 2))
 
     Attributes:
-        x: Its ends along x (mm).
-        y: Its ends along y (mm).
+        x: Interval along x (mm).
+        y: Interval along y (mm).
     """
 
     x: tuple[float, float]

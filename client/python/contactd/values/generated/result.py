@@ -196,8 +196,8 @@ class StressPlace:
     Attributes:
         value: The stress (N/mm^2).
         y: y of the middle of the row, as in rows (mm).
-        z: The middle of its row, as of rows (mm).
-        depth: The depth below that (mm).
+        z: z of the middle of the row, as in rows (mm).
+        depth: Depth below this point (mm).
     """
 
     value: float
@@ -226,15 +226,15 @@ class FatigueRow:
     Attributes:
         y: y of the middle of the row (mm): of the grid or of the strips' section; for wheels on rails in track
             coordinates.
-        z: Its middle, likewise (mm); 0 on a plane.
+        z: z of the middle of the row, in the same coordinates (mm); 0 on a plane.
         angle: Inclination of the row, in the same coordinates (rad).
         pressure: Largest pressure (N/mm^2).
         traction: Largest tangential traction (N/mm^2). The surface flows where it is above k.
         force_x: Tangential force along x on the body (N/mm).
         force_y: Tangential force along the row's y on the body (N/mm).
-        shear: Largest shear below it, as shear of the contact (N/mm^2). With passage.
+        shear: Largest shear below the row, as shear of the contact (N/mm^2). Only with passage.
         shear_depth: Depth of the largest value (mm).
-        dang_van: Largest stress of Dang Van below it (N/mm^2). With passage and a_DV.
+        dang_van: Largest stress of Dang Van below the row (N/mm^2). Only with passage and a_DV.
         dang_van_depth: Depth of the largest value (mm).
     """
 
@@ -261,7 +261,7 @@ class ContactFatigue(ContactFatigueMethods):
         traction_coefficient: mu_u, the size of the tangential force divided by the normal force.
         force_angle: Angle of the tangential force on the body from the direction in which the contact moves over it,
             towards +y if the contact moves along +x (rad). Head checks run across the force.
-        driven: Whether the force on the body opposes the direction in which the contact moves over it. The other body
+        driven: True if the force on the body opposes the direction in which the contact moves over it. The other body
             then drives, like an accelerating wheel on a rail.
         FI_sub: Subsurface fatigue index, Fn (1 + mu_u^2)/(4 A) (N/mm^2); with a_DV and residual stresses, plus a_DV
             times their largest hydrostatic stress.
@@ -269,14 +269,14 @@ class ContactFatigue(ContactFatigueMethods):
         rows: Rows of elements, as wide as dy of the grid, by ascending y, from the first to the last row in contact.
         FI_surf: Surface fatigue index by the area A of the contact, mu_u - 2 A k/(3 Fn). The surface flows if it is
             positive. Only with strength.
-        load: The largest pressure over k: the load of shakedown diagrams. With strength.
+        load: Largest pressure over k: the load of shakedown diagrams. Only with strength.
         limit: Shakedown limit from the contact's own tractions: the largest pressure over the largest shear. Only with
             passage.
         shear: Largest |xz| below the surface, which residual stresses do not affect, or |t| on it. Only with passage.
-        von_mises: Largest von Mises stress, without residual stresses. With passage.
+        von_mises: Largest von Mises stress, without residual stresses. Only with passage.
         dang_van: Largest stress of Dang Van: the shear stress minus the centre of its path in the passage, plus a_DV
             times the hydrostatic stress. Only with passage and a_DV.
-        utilisation: Dang Van's largest stress over tau_e; cracks start beyond 1. With these.
+        utilisation: Dang Van's largest stress over tau_e; cracks start beyond 1. Only with passage, a_DV and tau_e.
     """
 
     body: Literal["upper", "lower"]
@@ -377,9 +377,9 @@ class Counts:
 @dataclass(frozen=True)
 class Derivatives:
     """Derivatives of the forces by the inputs, if requested and if the solution has converged and has contact:
-    derivatives.Fx.xi is dFx/d(xi). Fixed are the undeformed distance (also if semi-axes and the load determined it),
-    the tractions before the step, rigid_slip, and the division of the elements; where that division changes next, the
-    derivatives are one-sided. Motion is an input even if forces determined it, as if it had been prescribed.
+    derivatives.Fx.xi is dFx/d(xi). These are held fixed: the undeformed distance (also if semi-axes and the load
+    determined it), the tractions before the step, rigid_slip, and the division of the elements. Where that division is
+    about to change, the derivatives are one-sided. Motion is an input even if it was computed for prescribed forces.
 
     Attributes:
         Fx: Derivatives of Fx (N), with friction.
@@ -401,7 +401,7 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
     """The solution and its evidence. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
 
     Attributes:
-        approach: Approach of the bodies, prescribed or found (mm).
+        approach: Approach of the bodies, prescribed or computed (mm).
         forces: Total forces on the upper body (N), and their moment about z. On curved columns: the component of the
             pressures along the direction of approach, those of the tractions along x and across both, and their moment
             about that direction.
@@ -413,9 +413,8 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
         pressure: Pressure, shape [ny, nx] (N/mm^2), zero or positive.
         traction_x: Traction along x on the upper body, shape [ny, nx] (N/mm^2).
         traction_y: Traction along y on the upper body, shape [ny, nx] (N/mm^2).
-        converged: Whether every solver of the problem that ran reached its tolerance. Derivatives whose solver did not
-            are None.
-        evidence: How the solvers ended, and which coefficients they used. Solvers that did not run are None.
+        converged: True if every solver that ran reached its tolerance. Derivatives are None if their solver did not.
+        evidence: Convergence of the solvers, and the coefficients that they used. Solvers that did not run are None.
         resultant: Resultant force (N) and moment about the origin (N mm) of pressures and tractions together on curved
             columns, on the upper body, in the axes of the section.
         slip_x: Slip of the upper body over the lower along x, with friction, shape [ny, nx]: in a shift the distance
@@ -430,7 +429,7 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
             coefficient.
         displacement_x: Displacement of the upper body's surface along x minus that of the lower body's, under the
             tractions, shape [ny, nx] (mm). Only if requested.
-        displacement_y: The same along y.
+        displacement_y: Displacement along y, as displacement_x.
         displacement_z: Sum of the displacements of both bodies along z, positive under pressure, shape [ny, nx] (mm).
             Only if requested.
         upper_temperature: Temperature of the upper body's surface, in the contact and behind it, shape [ny, nx]
@@ -449,18 +448,18 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
         plastic_power: Part of frictional_power that the flow of a layer dissipates (N mm/s).
         largest_flow: Largest length of the flow of a layer, as flow_x: over the step (mm), in rolling per distance
             rolled.
-        motion: Motion as requested, with friction, or as computed for a prescribed force. For a shift, rigid_shift,
-            rotation and duration; otherwise the fields of rolling in the request. force as in the request.
-        upper_speed: Speed at which the upper surface, that of the rail, passes through the contact (mm/s): that of the
-            contact along the rail, or of the roller's surface. Only for wheels on rails that roll steadily;
-            temperatures depend on it.
+        motion: Motion of a problem with friction, as requested or as computed for a prescribed force. For a shift,
+            rigid_shift, rotation and duration; otherwise the fields of rolling. `force` is that of the request.
+        upper_speed: Speed at which the upper surface, that of the rail, passes through the contact (mm/s): the speed of
+            the contact along the rail, or that of the roller's surface. Only for wheels on rails that roll steadily.
+            Temperatures depend on it.
         derivatives: Derivatives of the forces by the inputs, if requested and if the solution has converged and has
-            contact: derivatives.Fx.xi is dFx/d(xi). Fixed are the undeformed distance (also if semi-axes and the load
-            determined it), the tractions before the step, rigid_slip, and the division of the elements; where that
-            division changes next, the derivatives are one-sided. Motion is an input even if forces determined it, as if
-            it had been prescribed.
-        warnings: Warnings; for example that the contact touches the border of the potential contact area, or that
-            elements or dq are too large for it.
+            contact: derivatives.Fx.xi is dFx/d(xi). These are held fixed: the undeformed distance (also if semi-axes
+            and the load determined it), the tractions before the step, rigid_slip, and the division of the elements.
+            Where that division is about to change, the derivatives are one-sided. Motion is an input even if it was
+            computed for prescribed forces.
+        warnings: Warnings: for example, the contact touches the border of the potential contact area, or elements or dq
+            are too large for it.
         grid: The grid of the problem, which the client adds.
     """
 

@@ -22,7 +22,7 @@ class Progress(ProgressText):
         fraction: Estimated fraction of the whole work.
         job: The job that the request waits for.
         iteration: Iteration within the stage.
-        residual: The figure that the stage's stopping criterion compares.
+        residual: Value that the stopping criterion of the stage compares with its tolerance.
         state: State of the daemon, of health.watch. One of "serving", "stopping".
         seconds_left: Estimated time until the work ends (s). None while there is no estimate.
         memory_bytes: Estimated largest memory of the build (bytes). None while there is no estimate.
@@ -82,9 +82,9 @@ class ServerInfo:
         protocol: Version of the protocol.
         libraries: Versions of the libraries by name.
         limits: Limits of a message.
-        counters: Counted since the start.
+        counters: Counters since the start.
         cache: Tables in memory.
-        queue: Work that waits and runs.
+        queue: Waiting and running work.
         uptime_seconds: Time since the start (s).
         protocol_versions: Versions of the protocol that are served, oldest first.
     """
@@ -140,11 +140,11 @@ class SessionSummary:
     Attributes:
         age_seconds: Time since it was opened (s).
         idle_seconds: Time since the last request of the session ended, 0 during one (s).
-        lease_seconds: It ends when idle for that long (s).
-        step: Number of its last step.
+        lease_seconds: Lease (s): the session ends after this time without a request.
+        step: Number of the last step.
         states: Saved states.
         bytes: Bytes of the session that are counted towards limits.max_session_bytes, including saved states.
-        elements: Elements of its grid; for a wheel on its rail those of all patches of its last step.
+        elements: Elements of the grid; for a wheel on its rail those of all patches of the last step.
     """
 
     age_seconds: float

@@ -48,7 +48,7 @@ class SeizureWear:
     """Wear for pressures above a fraction of the hardness, at any velocity. If None, none.
 
     Attributes:
-        k: k there (>= 0).
+        k: k in this region (>= 0).
         pressure: Pressure over hardness above which the region applies (>= 0).
     """
 
@@ -173,7 +173,7 @@ class WearLaw(HasParams):
 
     Attributes:
         name: Name of the law, unique in the request.
-        source: Where its coefficients come from: a paper, a test.
+        source: Source of the coefficients: a paper, a test.
         body: The body that wears. For wheels on rails, upper is the rail and lower the wheel.
         range: Range of the argument in which the law was tested: the sliding velocity (mm/s) for archard, |t s|
             (N/mm^2) for energy and usfd, T gamma without spin (N) for br, the power V |t s| (W/mm^2) for zobory. A

@@ -33,12 +33,13 @@ class Wrench:
 
 @dataclass(frozen=True)
 class WheelRailForces:
-    """Forces on the rail, in the axes of three.
+    """Forces on the rail in three coordinate systems.
 
     Attributes:
         track: Forces in track coordinates.
-        rail: About the origin of the rail's profile, along its axes.
-        wheelset: About the wheelset's centre, along its axes, which do not rotate with its pitch.
+        rail: Forces along the axes of the rail's profile, and moments about its origin.
+        wheelset: Forces along the axes of the wheelset, which do not rotate with its pitch, and moments about its
+            centre.
     """
 
     track: Wrench

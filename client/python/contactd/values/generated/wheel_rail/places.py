@@ -27,9 +27,9 @@ class ContactReference:
     """The reference of a contact: a point of the rail in track coordinates, and the angle of the contact's plane.
 
     Attributes:
-        x: Forwards (mm).
-        y: To the right (mm).
-        z: Down (mm).
+        x: Position x, forwards (mm).
+        y: Position y, positive to the right (mm).
+        z: Position z, positive down (mm).
         angle: Angle by which the track's axes are rotated about x, positive if the rail falls to the right (rad).
     """
 
@@ -45,7 +45,7 @@ class RailPlace:
     point where both are 0, those of transient rolling from position.x.
 
     Attributes:
-        along: x forwards, with position.x of the state (mm).
+        along: Position forwards, including position.x of the state (mm).
         across: Arc length to the right from y = 0 of the rail's profile or, if the profile doubles back, from its point
             nearest to the origin (mm).
     """
@@ -56,12 +56,12 @@ class RailPlace:
 
 @dataclass(frozen=True)
 class OverlapRegion:
-    """Where the undeformed profiles overlap, seen from above.
+    """Region where the undeformed profiles overlap, seen from above.
 
     Attributes:
-        reference: Its weighted centre.
-        x: Its ends forwards, in track coordinates (mm).
-        y: Its ends to the right (mm).
+        reference: Weighted centre of the region.
+        x: Interval forwards, in track coordinates (mm).
+        y: Interval to the right (mm).
         z: z of the rail at this point (mm).
         penetration: Largest vertical overlap (mm).
         size: Integral of the vertical penetration squared (mm^4).
@@ -84,7 +84,7 @@ class Creepages:
         eta: Lateral creepage.
         phi: Spin (rad/mm).
         chi: Rolling direction (rad): 0 forwards, pi backwards.
-        velocity: Rolling velocity (mm/s); 0: it does not roll.
+        velocity: Rolling velocity (mm/s); 0 if the wheel does not roll.
     """
 
     xi: float
@@ -116,9 +116,9 @@ class ContactRow:
     """A row of elements of a contact that is curved across the track, half-way between rail and wheel.
 
     Attributes:
-        y: Its middle in track coordinates, to the right (mm).
-        z: Its middle in track coordinates, down (mm).
-        angle: Inclination of the row (rad). Tractions are along axes rotated about x by it.
+        y: y of the middle of the row in track coordinates, positive to the right (mm).
+        z: z of the middle of the row in track coordinates, positive down (mm).
+        angle: Inclination of the row (rad). Tractions are along axes rotated about x by this angle.
     """
 
     y: float
@@ -132,7 +132,7 @@ class ContactPlace:
     y along the rail's surface to the right, z into the rail.
 
     Attributes:
-        reference: Its origin and plane, on the rail.
+        reference: Origin of the contact coordinates on the rail, and the angle of the contact's plane.
         on_rail: Position of the reference along and across the rail. Elements of a shift lie at multiples of dx and dy
             from the point where both are 0, those of transient rolling from position.x.
         regions: Regions where the undeformed profiles overlap, from right to left. Several regions interact with a
@@ -140,8 +140,8 @@ class ContactPlace:
         shares: Weights of the interaction of regions: the fraction of the displacements of each region that acts on
             each other region, row by row; 1 on the diagonal.
         grid: The potential contact area, in contact coordinates.
-        approach: Penetration along z, the largest at the elements (mm).
-        penetration: Vertical penetration, the largest (mm).
+        approach: Largest penetration along z at the elements (mm).
+        penetration: Largest vertical penetration (mm).
         creepages: Velocities of the rail relative to the wheel over the rolling velocity, in contact coordinates.
         radii: Radii of curvature at the reference (mm), positive where convex. None where straight.
         rows: Rows of elements of a contact that is curved across the track. None where it is plane.
@@ -164,11 +164,11 @@ class ProfileFrame:
     """Axes of the wheel's profile.
 
     Attributes:
-        x: Forwards (mm).
-        y: To the right (mm).
-        z: Down (mm).
-        roll: About x, from y to z (rad).
-        yaw: About z, from x to y (rad).
+        x: Position x of the origin, forwards (mm).
+        y: Position y of the origin, positive to the right (mm).
+        z: Position z of the origin, positive down (mm).
+        roll: Rotation about x, from y to z (rad).
+        yaw: Rotation about z, from x to y (rad).
     """
 
     x: float

@@ -22,7 +22,7 @@ class WheelRailPatch:
     """A contact and its solution.
 
     Attributes:
-        place: Where it is.
+        place: Place of the contact.
         solution: The solution, as in contact.solve, in contact coordinates, with the requested arrays. Tractions and
             forces act on the rail.
         forces: Forces of this patch.
@@ -40,8 +40,8 @@ class RailDeflection:
     """Deflection of a massless flexible rail, in addition to its deviation, in track coordinates.
 
     Attributes:
-        y: To the right (mm).
-        z: Down (mm).
+        y: Lateral deflection, positive to the right (mm).
+        z: Vertical deflection, positive down (mm).
     """
 
     y: float
@@ -54,13 +54,13 @@ class WheelRailSolution(WheelRailSolutionMethods):
     the rail.
 
     Attributes:
-        z: z of the wheelset, as prescribed or found (mm).
-        pitch_rate: Pitch rate of the wheelset, as prescribed or found (rad/s).
+        z: z of the wheelset, prescribed or computed (mm).
+        pitch_rate: Pitch rate of the wheelset, prescribed or computed (rad/s).
         wheel_frame: Axes of the wheel's profile.
         rail_frame: Axes of the rail's profile, with the rail's deviation and deflection; for a roller at its top.
         forces: Forces of all patches.
         patches: Patches from right to left. Empty without contact. None in a step with patches false.
-        converged: Whether the solvers of all patches and the searches reached their tolerances.
+        converged: True if the solvers of all patches and the searches reached their tolerances.
         warnings: Warnings.
         clearance: Smallest vertical distance of wheel and rail at this z, negative where they overlap (mm). None if
             they are not above each other.
@@ -75,7 +75,7 @@ class WheelRailSolution(WheelRailSolutionMethods):
             tractions (relative to these) from those of a fresh solve with tight tolerances at this height. Only for
             model full with contact.
         derivatives: Derivatives of a converged solution with contact. Only if requested.
-        contacts: Number of patches, in place of them, of a step with patches false.
+        contacts: Number of patches, for a step with patches false.
         frictional_power: Power that friction dissipates in all patches, in rolling (N mm/s).
     """
 
@@ -105,12 +105,12 @@ class WheelsetSolution(WheelsetSolutionMethods):
     Attributes:
         z: Computed z of the wheelset, relative to the mean of both nominal radii (mm); z of each wheel is relative to
             its own nominal radius.
-        roll: Roll of the wheelset, as found (rad).
+        roll: Computed roll of the wheelset (rad).
         left: The left wheel on its rail.
         right: The right wheel on its rail.
         roll_search: Search for the roll: number of solves of both wheels, and the remaining difference of their heights
             (mm).
-        converged: Whether the solvers of both wheels and the search for the roll reached their tolerances.
+        converged: True if the solvers of both wheels and the search for the roll reached their tolerances.
         warnings: Warnings about both wheels together. Each wheel also has its own.
     """
 

@@ -44,8 +44,8 @@ class RigidContact:
         height: z of the wheelset that produces this contact, relative to wheels that touch z = 0 with the nominal
             radius of this wheel (mm).
         wheel_y: y in the wheel's profile (mm).
-        rail_y: y in the rail's profile, as the track's cant turns it (mm).
-        at_end: Whether the wheel's or the rail's profile ends before the bodies part.
+        rail_y: y in the rail's profile, rotated by the track's cant (mm).
+        at_end: True if the wheel's or the rail's profile ends before the bodies separate.
     """
 
     y: float
@@ -82,7 +82,7 @@ class EquivalentConicity:
     """Equivalent conicity for one amplitude: that of cones on which a wheelset rolls with the same wavelength.
 
     Attributes:
-        amplitude: Half of the way from side to side (mm).
+        amplitude: Amplitude (mm): half of the distance from side to side.
         integrated: Conicity from the wavelength of the kinematic motion; 0 without a radius difference. None if the
             wheelset does not oscillate.
         harmonic: Conicity from the first harmonic of the radius difference. None if there is no equilibrium to
@@ -103,7 +103,7 @@ class ProfileOrigin:
 
     Attributes:
         y: Position from the middle of the track to the field side (mm).
-        z: Down from the plane of the track (mm).
+        z: Position below the plane of the track (mm).
     """
 
     y: float
@@ -115,8 +115,8 @@ class ProfilePlace:
     """A position on or near a profile.
 
     Attributes:
-        y: To the field side (mm).
-        z: Downwards (mm).
+        y: Coordinate y, positive to the field side (mm).
+        z: Coordinate z, positive down (mm).
     """
 
     y: float
@@ -145,8 +145,8 @@ class ProfileReading:
     Attributes:
         format: Format of the file.
         unit: Length of a unit of its points (mm).
-        mirror_y: Whether y of the points was mirrored in total.
-        mirror_z: Whether z of the points was mirrored in total.
+        mirror_y: True if y of the points was mirrored in total.
+        mirror_z: True if z of the points was mirrored in total.
         oriented_by: Source of the direction of z: the file, the shape of the points, or the request.
         lines_left_out: Number of ignored lines: neither points nor supported keys, without comments.
     """
@@ -161,7 +161,7 @@ class ProfileReading:
 
 @dataclass(frozen=True)
 class ProfileEvidence:
-    """How the points of the wheel's profile were processed.
+    """Results of processing the points of the wheel's profile.
 
     Attributes:
         points_given: Number of points in the input, or of points that represent a formula.
@@ -201,8 +201,8 @@ class PlacedProfiles:
         rail: Points (y, z) of the rail's profile (mm), shape [n, 2], rotated by the track's cant.
         wheel_origin: Origin of the wheel's profile (mm): from the middle of the axle to the field side.
         rail_origin: Origin of the rail's profile, in the track.
-        wheel_evidence: How the points of the wheel's profile were processed.
-        rail_evidence: How the points of the rail's profile were processed.
+        wheel_evidence: Results of processing the points of the wheel's profile.
+        rail_evidence: Results of processing the points of the rail's profile.
     """
 
     wheel: Array

@@ -64,8 +64,8 @@ class WheelRailFriction:
     Attributes:
         mu: (Static) coefficient of friction (>= 0): a single value, or values by the angle of the rail's surface from
             the horizontal (rad), ascending, with linear interpolation. Angles are negative on the gauge side.
-        along_profile: Whether the angle is that of the rail at each row of elements (model full) or that of the patch.
-            Default False.
+        along_profile: True if the angle is that of the rail at each row of elements (model full), false if it is that
+            of the patch. Default False.
         kinetic: Velocity-weakening (falling) friction, by the slip velocity v. If None, the coefficient is constant.
             linear: mu_k + m max(0, 1 - v / v_c); rational: mu_k + m / (1 + v / v_c); exponential: mu_k + m exp(-v /
             v_c). Here m = friction.mu - mu_k, minus the share of a second term.
@@ -115,15 +115,15 @@ class Track:
 
     Attributes:
         gauge: Distance between the gauge faces of the rails (mm), > 0. Default 1435.
-        gauge_height: How far below the tops of the rails the gauge is measured (mm), >= 0. Default 14.
+        gauge_height: Distance below the tops of the rails at which the gauge is measured (mm), >= 0. Default 14.
         cant: Cant of the rail's profile, positive if leaning inwards (rad), -0.5 to 0.5. Default 0.
         rail_origin: Position of the origin of the rail's profile: y and z (mm) from the centre of the track to the
             field side, and down. With it, gauge and gauge_height are ignored. If None, they determine the position.
         roller_radius: Radius, at z = 0 of the profile, of a roller that turns under the wheel instead of a rail (mm), >
             0. If None, a rail.
-        roller_leans: Whether the surface of a roller is one about an axle that leans and moves with its profile, by
-            rail.roll, rail.z and cant, while the roller turns about a level axle that does not. Use it to compare with
-            other programs. Otherwise only the profile leans and the axle is level. Default False.
+        roller_leans: True if the surface of a roller has an axle that leans and moves with its profile, by rail.roll,
+            rail.z and cant, while the roller turns about a level axle. Use it to compare with other programs. Otherwise
+            only the profile leans, and the axle is level. Default False.
         springs: Springs between a massless rail and the ground. The rail is rigid in a direction without a spring. If
             None, a rigid rail.
     """
@@ -139,7 +139,7 @@ class Track:
 
 @dataclass(frozen=True)
 class Wheelset:
-    """Where the wheels sit on their axle.
+    """Positions of the wheels on their axle.
 
     Attributes:
         flange_back_distance: Distance between the backs of the flanges (mm), > 0. Default 1360.
@@ -194,7 +194,7 @@ class WheelRailSetup(Saved):
     forwards, y to the right, z down (drawn in docs/wheel-rail.md).
 
     Attributes:
-        side: Which wheel of the wheelset, seen in the direction of travel. Default "right".
+        side: Side of the wheelset, seen in the direction of travel. Default "right".
         wheel: The wheel's profile, by default S1002.
         rail: The rail's profile, by default 60E1 with an inclination of 1/40.
         rail_slices: Profiles by ascending x, instead of rail, for a rail that varies along the track, in the same
@@ -205,7 +205,7 @@ class WheelRailSetup(Saved):
             and cut at the same y. The angles lie within one revolution, after which the first profile follows again.
             Radii are interpolated with continuous curvature and without overshoot. At most 200000 points in total.
         track: Position of the rails.
-        wheelset: Where the wheels sit on their axle.
+        wheelset: Positions of the wheels on their axle.
         upper: Material of the rail; without bodies it is steel, G = 82000 and nu = 0.28.
         lower: Material of the wheel. If None, that of the rail.
         model: full: boundary elements. hertz: closed forms of elliptic contact. The models of vehicle codes, for steady

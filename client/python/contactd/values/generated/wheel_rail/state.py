@@ -29,7 +29,7 @@ class WheelsetPosition:
     track.
 
     Attributes:
-        y: To the right (mm).
+        y: Lateral position, positive to the right (mm).
         z: Vertical position, positive down (mm). A solve requires it or Fz. With Fz it is the start of the search.
         roll: Roll, from y to z (rad), -0.5 to 0.5.
         yaw: Yaw, from x to y, the first rotation (rad), -0.5 to 0.5.
@@ -50,12 +50,12 @@ class WheelsetVelocity:
     """Velocity of the wheelset's centre in track coordinates, and about its own axes.
 
     Attributes:
-        x: Forwards (mm/s).
-        y: To the right (mm/s).
-        z: Down (mm/s).
-        roll: About x (rad/s).
-        yaw: About z (rad/s).
-        pitch: About y (rad/s): rolling forwards is negative, near -x/nominal_radius.
+        x: Forward velocity (mm/s).
+        y: Lateral velocity, positive to the right (mm/s).
+        z: Vertical velocity, positive down (mm/s).
+        roll: Roll rate, about x (rad/s).
+        yaw: Yaw rate, about z (rad/s).
+        pitch: Pitch rate, about y (rad/s). Rolling forwards is negative, near -x/nominal_radius.
     """
 
     x: float = 0.0
@@ -103,11 +103,11 @@ class WheelDeviation:
 
 @dataclass(frozen=True, kw_only=True)
 class RailDeviation:
-    """Deviation of the rail from its place by track and gauge, in track coordinates, also for a left rail.
+    """Deviation of the rail from its position by track and gauge, in track coordinates, also for a left rail.
 
     Attributes:
-        y: To the right (mm).
-        z: Down (mm).
+        y: Lateral deviation, positive to the right (mm).
+        z: Vertical deviation, positive down (mm).
         roll: Roll, from y to z (rad), -0.5 to 0.5.
         y_velocity: Velocity to the right (mm/s).
         z_velocity: Velocity downwards (mm/s).
@@ -128,7 +128,7 @@ class RailDeviation:
 
 @dataclass(frozen=True, kw_only=True)
 class WheelRailState(Saved):
-    """Where the wheelset is, and how it moves.
+    """Position and motion of the wheelset, and the kind of step.
 
     Attributes:
         position: Position of the wheelset's centre, relative to the central position with its tape circles on the plane
@@ -137,7 +137,7 @@ class WheelRailState(Saved):
         wheel: Deviation of the wheel from its place on a rigid wheelset, for example due to axle bending: displacement
             of the origin of its profile along the wheelset's axes, and rotation about that point, yaw first. Rates are
             added to the motion of the wheelset.
-        rail: Deviation of the rail from its place by track and gauge, in track coordinates, also for a left rail.
+        rail: Deviation of the rail from its position by track and gauge, in track coordinates, also for a left rail.
         roller_pitch: Pitch rate of a roller, positive if the wheel on it turns as in forward rolling (rad/s).
         Fz: Vertical force of this wheel on the rail (N), >= 1e-06. It determines position.z. If None, position.z is
             prescribed.
@@ -149,8 +149,8 @@ class WheelRailState(Saved):
         time_step: Duration of a step that is not steady (s), >= 1e-30. A shift requires it and has the velocities for
             this time. Transient rolling covers the distance of the rolling velocity. If None, transient rolling covers
             dq of the set-up.
-        derivatives: Whether the solution has derivatives of the forces by position and velocity.
-        displacements: Whether the solutions of patches have displacements, and elastic energies, as in contact.solve.
+        derivatives: True to compute derivatives of the forces by position and velocity.
+        displacements: True to compute displacements and elastic energies of the patches, as in contact.solve.
     """
 
     position: WheelsetPosition = WheelsetPosition()
