@@ -230,7 +230,7 @@ Solve conjugate_gradients(const System& system, const Preconditioner& preconditi
 
 IcSpec spec_of(const Options& options) {
     const std::optional<FemSpec> preset = fem_preset(options.at("--preset"));
-    if (!preset) throw InvalidArgument("--preset", "is '" + options.at("--preset") + "', which is no preset");
+    if (!preset) throw InvalidArgument("--preset", "is '" + options.at("--preset") + "', which is not a preset");
     IcSpec spec;
     spec.source = IcSource::fem;
     spec.material = {.G = 1, .nu = 0.28};
@@ -297,7 +297,7 @@ int main(int argc, char** argv) {
     for (int i = 1; i < argc; i += 2) {
         const auto option = options.find(argv[i]);
         if (option == options.end() || i + 1 == argc) {
-            std::fprintf(stderr, "block_system: '%s' is no option, or lacks its value\n", argv[i]);
+            std::fprintf(stderr, "block_system: '%s' is not an option, or lacks its value\n", argv[i]);
             return 2;
         }
         option->second = argv[i + 1];

@@ -66,7 +66,7 @@ int main(int argc, char** argv) {
     for (int i = 1; i + 1 < argc; i += 2) {
         const auto option = options.find(argv[i]);
         if (option == options.end()) {
-            std::fprintf(stderr, "section_solid: '%s' is no option\n", argv[i]);
+            std::fprintf(stderr, "section_solid: '%s' is not an option\n", argv[i]);
             return 2;
         }
         option->second = std::atof(argv[i + 1]);

@@ -52,7 +52,7 @@ def chosen(files: Sequence[GivenFile], only: str | None) -> list[GivenFile]:
     names = [name.strip() for name in only.split(",")]
     for name in names:
         if name not in families(files):
-            raise ValueError(f"'{name}' is no family; there are {', '.join(families(files))}")
+            raise ValueError(f"'{name}' is not a family; use {', '.join(families(files))}")
     return [one for one in files if one.family in names]
 
 

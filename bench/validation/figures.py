@@ -15,9 +15,9 @@ from .quantities import GROUPS, QUANTITIES
 
 __all__ = ["draw", "has_numbers"]
 
-LEAST, MOST = 1e-3, 1e4  #: what lies beyond is drawn there
+LEAST, MOST = 1e-3, 1e4  #: larger values are drawn here
 TICKS = {LEAST: "less", 1e-2: "0.01", 1e-1: "0.1", 1.0: "1", 1e1: "10", 1e2: "100", 1e3: "1000", MOST: "more"}
-WIDTH = 0.36  #: of the points of a group, either way
+WIDTH = 0.36  #: of the points of a group, to either side
 SMALL = {
     "agrees": (BLUE, "o", "case agrees"),
     "known": (ORANGE, "^", "differs, with a reason"),

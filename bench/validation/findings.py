@@ -17,7 +17,7 @@ from .table import is_case
 __all__ = ["find", "ratio"]
 
 _MISSING = "contactd does not have: "
-_BETWEEN = re.compile(r", (?![^(]*\))")  #: features, whose parentheses have commas, too
+_BETWEEN = re.compile(r", (?![^(]*\))")  #: features whose parentheses contain commas
 _NONE = "–"
 _FINE = 5e-4 / 4e-3  #: of the tolerance of largest pressures
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Checks a folder of release files: python3 check.py FOLDER SIGNERS [NAME].
 
-SIGNERS is a file of ssh's form for allowed signers, NAME who must have signed (contactd-release). The folder is sound when
-SHA256SUMS has his signature, lists every other file, and each has its sum. Ends with 0 then, and else with 1 and why.
+SIGNERS is a file of allowed signers in the format of ssh; NAME is the required signer (contactd-release). The check passes
+if the signature of SHA256SUMS is valid, SHA256SUMS lists every other file, and the sums agree. The exit code is then 0;
+otherwise it is 1, and the reasons are printed.
 """
 
 from __future__ import annotations
@@ -19,12 +20,12 @@ SUMS, SIGNATURE, NAMESPACE = "SHA256SUMS", "SHA256SUMS.sig", "contactd-release"
 
 
 def problems(folder: Path, signers: Path, name: str = NAMESPACE) -> list[str]:
-    """What is wrong with the folder; nothing when all is as it was signed."""
+    """Returns the defects of the folder; empty if it is unchanged since it was signed."""
     sums, signature = folder / SUMS, folder / SIGNATURE
     if not folder.is_dir():
-        return [f"{folder} is no folder"]
+        return [f"{folder} is not a folder"]
     if not signers.is_file():
-        return [f"{signers} is no file; it must be one of signers, with a line such as: {name} ssh-ed25519 AAAA..."]
+        return [f"{signers} is not a file; it must be one of signers, with a line such as: {name} ssh-ed25519 AAAA..."]
     if shutil.which("ssh-keygen") is None:
         return ["ssh-keygen is missing, which checks signatures; OpenSSH's client has it"]
     for file in (sums, signature):

@@ -133,7 +133,7 @@ def test_one_family_is_computed_and_the_others_stay(given, tmp_path):
     validate(given, "mbench", folder, "production", lambda line: None)
     assert [row["file"] for row in read_csv(folder / "cases.csv")] == [row["file"] for row in before]
     assert [row["preset"] for row in read_csv(folder / "times.csv")] == ["development", "production"]
-    with pytest.raises(ValueError, match="'other' is no family; there are examples, mbench"):
+    with pytest.raises(ValueError, match="'other' is not a family; use examples, mbench"):
         validate(given, "other", folder, "production", lambda line: None)
 
 

@@ -95,7 +95,7 @@ def test_without_exudyn_the_example_says_how_to_install_it(shared_daemon, tmp_pa
     [
         (["--speeds", "3"], "at least 30 m/s"),
         (["--seconds", "0"], "--seconds must be positive"),
-        (["--output", "/no/where"], "is no folder"),
+        (["--output", "/no/where"], "is not a folder"),
         (["--contacts", "elastic"], "invalid choice: 'elastic'"),
     ],
 )

@@ -151,7 +151,7 @@ const Variable& Instance::variable(std::uint32_t reference, std::initializer_lis
                       std::to_string(kind_.variables.size() - 1) + ".");
     const Variable& found = kind_.variables[reference];
     if (std::ranges::find(types, found.type) == types.end())
-        throw Failure(std::string(found.name) + " is of another type than was asked for.");
+        throw Failure(std::string(found.name) + " does not have the requested type.");
     return found;
 }
 
@@ -162,7 +162,7 @@ const Variable& Instance::settable(std::uint32_t reference, std::initializer_lis
     if (found.role == Role::output || found.role == Role::time)
         throw Failure(std::string(found.name) + " cannot be set; the FMU computes it.");
     if (phase_ == Phase::terminated || (!before && !any_time))
-        throw Failure(std::string(found.name) + " cannot be set any more; it is fixed with the initialization.");
+        throw Failure(std::string(found.name) + " can no longer be set; it is fixed after the initialization.");
     return found;
 }
 

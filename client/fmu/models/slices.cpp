@@ -25,7 +25,7 @@ void set_profile_file(contactd_wheel* w, const std::string& profile, const std::
 void set_slices(contactd_wheel* w, const Slices& slices, const std::string& variable, const std::string& name,
                 const FileReading& reading, const std::filesystem::path& resources) {
     const auto list = file_named(name, resources);
-    if (!list) throw Failure(variable + " is \"" + name + "\", which is no file; it must name a list of slices.");
+    if (!list) throw Failure(variable + " is \"" + name + "\", which is not a file; it must name a list of slices.");
     std::ifstream file(*list);
     std::size_t count = 0, number = 0;
     std::array<char, 4096> text{};  // of one line: a device may never end it
@@ -49,7 +49,7 @@ void set_slices(contactd_wheel* w, const Slices& slices, const std::string& vari
                           " names a profile outside of the FMU's resources:" + profile);
         if (!found)
             throw Failure(variable + ": line " + std::to_string(number) + " of " + list->string() +
-                          " names a profile that is no file:" + profile);
+                          " names a profile that is not a file:" + profile);
         const std::string slice = slices.path + "[" + std::to_string(count++) + "].";
         set_field(w, slice + slices.column, place);
         set_profile_file(w, slice + "profile", *found, reading);

@@ -38,7 +38,7 @@ void set_file(contactd_wheel* w, const Values& values, const BodyPlaces& of, con
     const auto path = file_named(name, resources);
     if (!path)
         throw Failure(std::string(wheel_variables[of.profile].name) + " is \"" + name + "\"; " +
-                      (resources / path_of(name)).string() + " is no file. It must be " +
+                      (resources / path_of(name)).string() + " is not a file. It must be " +
                       (of.profile == wheel.profile ? "S1002" : "60E1") +
                       ", cone, arc, a path from / on, a URI file:///..., or a file in the FMU's resources.");
     set_profile_file(w, std::string(of.profile_path), *path, reading_of(values, of));

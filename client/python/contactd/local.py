@@ -127,7 +127,7 @@ def _needs_daemon(program: str | Path | None, config: Mapping[str, Any]) -> str:
     if program is not None:
         return f"program is {str(program)!r}, a daemon"
     own = [name for name in _OF_DAEMONS if name in config]
-    return f"config has {own[0]}, which only a daemon has" if own else ""
+    return f"config contains {own[0]}, which applies to daemons only" if own else ""
 
 
 def _short_temporary_folder() -> TemporaryFolder:

@@ -113,7 +113,7 @@ def test_a_line_is_as_curved_as_it_says(bogie):
     area = abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]) / 2
     assert np.prod(sides) / (4 * area) == pytest.approx(500e3, rel=1e-9)
     assert (line.axes(100e3) @ (0, 750, 0))[2] == pytest.approx(-75, rel=2e-3)
-    with pytest.raises(ValueError, match="known from -10 m to 200 m"):
+    with pytest.raises(ValueError, match="extends from -10 m to 200 m"):
         line.place(250e3)
 
 

@@ -47,7 +47,7 @@ def _range(path: str, name: str, start: float, end: float, given: dict[str, Any]
     if scale not in ("linear", "log") or (scale == "log" and not (start > 0 and end > 0)):
         raise click.UsageError(f"{path}: scale of {name} must be linear, or log between positive numbers.")
     if ("step" in given) == ("count" in given) or ("step" in given and scale == "log"):
-        raise click.UsageError(f"{path}: {name} must have either count or, of a linear scale, step.")
+        raise click.UsageError(f"{path}: {name} must have either count or, for a linear scale, step.")
     if "step" in given:
         count = (end - start) / given["step"] if given["step"] else -1
         if count < 0 or count > MOST:

@@ -122,11 +122,11 @@ def _options() -> argparse.Namespace:
     if options.element is not None and not 0.1 <= options.element <= 2:
         parser.error("--element must be 0.1 to 2 mm")
     if options.fmu is not None and not options.fmu.is_file():
-        parser.error(f"--fmu: {options.fmu} is no file; ./dev fmu makes build/fmu/contactd_wheel_fmi3.fmu")
+        parser.error(f"--fmu: {options.fmu} is not a file; ./dev fmu makes build/fmu/contactd_wheel_fmi3.fmu")
     if options.fmu is not None and (options.curve or options.energy or options.search):
         parser.error("--fmu goes with --speeds, not with --curve, --energy or --search")
     if options.output is not None and not options.output.is_dir():
-        parser.error(f"--output: {options.output} is no folder")
+        parser.error(f"--output: {options.output} is not a folder")
     return options
 
 

@@ -61,7 +61,7 @@ class Line:
         """
         node = int(s // NODE)
         if not -10 <= node < len(self._nodes) - 11:
-            raise ValueError(f"The way is {s / 1000:g} m; the line is known from -10 m to {self.length / 1000:g} m.")
+            raise ValueError(f"The position {s / 1000:g} m is outside the line, which extends from -10 m to {self.length / 1000:g} m.")
         x, y = self._nodes[node + 10] + self._piece(node * NODE, s - node * NODE)
         return np.array([x, y, 0.0])
 

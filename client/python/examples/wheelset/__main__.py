@@ -148,7 +148,7 @@ def _options() -> argparse.Namespace:
     if options.seconds <= 0 or min([*options.speeds, *(options.search or ())], default=30) < 30:
         parser.error("--seconds must be positive, and --speeds at least 30 m/s: slower ones need a smaller step")
     if options.output is not None and not options.output.is_dir():
-        parser.error(f"--output: {options.output} is no folder")
+        parser.error(f"--output: {options.output} is not a folder")
     return options
 
 
