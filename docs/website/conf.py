@@ -90,7 +90,7 @@ graphviz_output_format = "svg"
 
 
 def shorten_classes(app: object, page: str, template: str, context: dict[str, object], doctree: object) -> None:
-    """Leaves names in text the class that the theme formats, without two that repeat it."""
+    """Reduces the classes of literal text to the one that the theme formats."""
     if isinstance(body := context.get("body"), str):
         context["body"] = body.replace('class="docutils literal notranslate"', 'class="literal"')
 
