@@ -16,14 +16,14 @@ using namespace contactd;
 
 struct Place {
     double Fz;
-    double y, step;  ///< where steps begin, and how far apart they lie (mm)
-    int steps;       ///< of an iteration
+    double y, step;  ///< start and spacing of the steps (mm)
+    int steps;       ///< processor time of an iteration
 };
 
 constexpr Place gauge_corner{10'000, 6.2, 0.05, 12}, gauge_corner_slowly{10'000, 6.2, 0.0005, 12},
     flange_root{80'000, 6.6, 0.05, 4};
 
-enum class Under { rail, slices, roller };  ///< the wheel
+enum class Under { rail, slices, roller };  ///< inputs of the wheel
 
 constexpr double roller_radius = 1000;
 

@@ -91,7 +91,7 @@ inline IcTable pair_table(const ContactProblem& problem) {
     return pair_of(half_space_of(problem.grid, upper), half_space_of(problem.grid, lower));
 }
 
-/// The paper's Cattaneo problem (section 4): a sphere at a prescribed approach, shifted.
+/// Returns the paper's Cattaneo problem (section 4): a sphere at a prescribed approach, shifted.
 struct Cattaneo {
     Grid grid;
     ConvolutionOperator influence;

@@ -108,7 +108,7 @@ def rolling(client: Client, creepage: float, mu: float) -> None:
 
 
 def oblique(client: Client) -> None:
-    """Compares element sizes along an oblique chi: of the ellipse with the element's diameters, and of the element."""
+    """Compares two element sizes along an oblique chi: the chord of the element's ellipse, and that of the element."""
     print("| elements across | ellipse | longest way through the element |\n|---|---|---|")
     cases = list(product((0.3, 1, 3), (0.2, math.pi / 6, math.pi / 4, 1.2), (False, True)))  # a/b, chi, lateral
 

@@ -35,7 +35,7 @@ SOLVERS = {
     "layered": "layered bodies, rolling",
     "conformal": "conformal, a wheel on a rail",
 }
-#: Longest time of a row (s), its preparation included. After a longer one the model gets no more elements.
+#: Longest duration of a row (s), including its preparation. After a longer row, the model gets no more elements.
 LONGEST = 60
 Row = dict[str, Any]
 

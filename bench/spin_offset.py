@@ -104,7 +104,7 @@ def main() -> None:
     parser.add_argument("--csv", help="write every case to this file, one per line")
     arguments = parser.parse_args()
     offsets, all_cases = arguments.offsets, cases(arguments.cases)
-    warnings.simplefilter("ignore", ContactWarning)  # coarse elements are what is measured
+    warnings.simplefilter("ignore", ContactWarning)  # coarse elements are measured on purpose
     with LocalDaemon(daemon_program()) as daemon, Client(daemon.endpoint) as client:
         coarse = {o: forces(client, [case.problem(case.n, o) for case in all_cases]) for o in offsets}
         limits = []

@@ -1,6 +1,6 @@
-# contactd_exports(TARGET NODE HEADERS...): the shared library shows the functions that its headers declare, and nothing else. They
-# are the one list, of which a version script is made, or, for Windows, a .def file, which also lists them for those who make import
-# libraries of other compilers. NODE names the version of the interface, empty for none.
+# contactd_exports(TARGET NODE HEADERS...) exports exactly the functions that the headers declare from a shared library.
+# It generates a version script from them or, for Windows, a .def file, from which other compilers can make import
+# libraries. NODE names the version of the interface; empty for none.
 function(contactd_exports target node)
   set(names)
   foreach(header ${ARGN})
@@ -22,7 +22,7 @@ function(contactd_exports target node)
     set_target_properties(${target} PROPERTIES PREFIX "" IMPORT_PREFIX "lib" RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib
       ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
   else()
-    # Fortran compilers ask for names with an underscore behind them, which drop-in functions have, too.
+    # Fortran compilers look for names with an appended underscore, which drop-in functions have, too.
     set(dropped_in ${names})
     list(FILTER dropped_in INCLUDE REGEX "^(cntc|subs)_")
     list(TRANSFORM dropped_in APPEND "_")

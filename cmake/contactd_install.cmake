@@ -1,15 +1,16 @@
-# Installs what is built of: the programs, the C++ client as the CMake package "contactd" (targets contactd::client, ::proto,
-# ::types), and the C libraries as its components c and c_local (targets of the same names), and for pkg-config.
+# Installs the built parts: the programs, the C++ client as the CMake package "contactd" (targets contactd::client,
+# ::proto, ::types), and the C libraries as its components c and c_local (targets of the same names) and for pkg-config.
 include(CMakePackageConfigHelpers)
 
-# contactd_install_c(TARGET NAME COMPONENT) installs libNAME.so; what is needed to build with it is of c_development.
+# contactd_install_c(TARGET NAME COMPONENT) installs libNAME.so. The files needed to build with it belong to
+# c_development.
 function(contactd_install_c target name component)
   get_target_property(component_name ${target} EXPORT_NAME)
   set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/contactd)
   install(TARGETS ${target} EXPORT contactd_${component_name}_targets
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT ${component} NAMELINK_COMPONENT c_development)
   install(EXPORT contactd_${component_name}_targets NAMESPACE contactd:: DESTINATION ${folder} COMPONENT c_development)
-  # What is installed can be moved: paths start from the file itself.
+  # The installation can be moved, because all paths are relative to this file.
   file(RELATIVE_PATH prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
   configure_file(${CMAKE_CURRENT_FUNCTION_LIST_DIR}/contactd.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT c_development)
@@ -18,7 +19,8 @@ endfunction()
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/contactd-config.cmake.in
   ${PROJECT_BINARY_DIR}/contactd-config.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/contactd-config-version.cmake COMPATIBILITY SameMinorVersion)
-# contactd_install_package(COMPONENT) installs what CMake finds the package by, whichever of its targets are there.
+# contactd_install_package(COMPONENT) installs the files by which CMake finds the package, for whichever of its targets
+# are installed.
 function(contactd_install_package component)
   install(FILES ${PROJECT_BINARY_DIR}/contactd-config.cmake ${PROJECT_BINARY_DIR}/contactd-config-version.cmake
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contactd COMPONENT ${component})

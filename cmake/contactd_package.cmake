@@ -1,11 +1,10 @@
 # Debian packages by CPack: contactd (daemon, builder, unit, configuration), python3-contactd (client),
-# python3-contactd-local (what the client solves with in process), contactctl (command line), and the C
-# libraries libcontactd1, libcontactd-local1 and libcontactd-cntc0 with libcontactd-dev and libcontactd-cntc-dev, by which
-# programs are built with them.
+# python3-contactd-local (the client's solver for use without a daemon), contactctl (command line), and the C libraries
+# libcontactd1, libcontactd-local1 and libcontactd-cntc0. libcontactd-dev and libcontactd-cntc-dev contain the headers.
 #   ./dev package
 set(package_files ${PROJECT_SOURCE_DIR}/packaging)
 
-# contactd_compressed(FILE NAME DESTINATION COMPONENT) installs FILE as NAME.gz, the same bytes every time.
+# contactd_compressed(FILE NAME DESTINATION COMPONENT) installs FILE as NAME.gz with reproducible bytes.
 function(contactd_compressed file name destination component)
   set(made ${PROJECT_BINARY_DIR}/packaging/${component}/${name}.gz)
   add_custom_command(OUTPUT ${made} DEPENDS ${file}
@@ -37,7 +36,7 @@ install(PROGRAMS ${package_files}/contactctl DESTINATION bin COMPONENT cli)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME contactd)
-# The first line of each description: that of the project.
+# The first line of each description is that of the project.
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "elastic contact with computed influence coefficients, as a service")
 set(CPACK_PACKAGE_CONTACT "contactd authors <contactd@example.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
@@ -47,7 +46,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
 set(CPACK_COMPONENTS_ALL programs python python_local cli c_library c_local_library c_development cntc cntc_development)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-if(CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64) # which CPack would take for that of this machine
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL aarch64) # for which CPack would use the name of this machine
   set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE arm64)
 endif()
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
@@ -75,7 +74,7 @@ set(CPACK_DEBIAN_PYTHON_DESCRIPTION "client of contactd, elastic contact as a se
 Contact problems, tables of influence coefficients and stresses inside bodies
 from Python: plain classes in, NumPy arrays out.")
 
-# One module for all versions of Python from 3.10 on.
+# One module serves all versions of Python from 3.10 on.
 set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_NAME python3-contactd-local)
 set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_LOCAL_PACKAGE_SHLIBDEPS ON)
@@ -94,7 +93,8 @@ set(CPACK_DEBIAN_CLI_DESCRIPTION "command line of contactd, elastic contact as a
 Contact problems, wheels on rails, tables of influence coefficients and
 parameter studies from a terminal and from scripts: tables or JSON out.")
 
-# contactd_library_package(COMPONENT NAME DESCRIPTION...) is a package of a shared library, whose name has its version.
+# contactd_library_package(COMPONENT NAME DESCRIPTION...) defines the package of a shared library. The name of the
+# package contains the version.
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
 file(WRITE ${PROJECT_BINARY_DIR}/packaging/triggers "activate-noawait ldconfig\n")
@@ -129,7 +129,7 @@ set(CPACK_DEBIAN_CNTC_DEVELOPMENT_PACKAGE_DEPENDS "libcontactd-cntc0 (= ${PROJEC
 set(CPACK_DEBIAN_CNTC_DEVELOPMENT_DESCRIPTION "functions of the CONTACT program's C library (development files)
 The header contactd_cntc.h, and what CMake and pkg-config ask for.")
 
-# Control files have fixed names; those of this package are kept under its own.
+# Control files have fixed names, so those of this package are stored under a different name.
 foreach(package IN ITEMS python3-contactd=python contactctl=cli)
   string(REGEX MATCH "^(.+)=(.+)$" package ${package})
   foreach(script postinst prerm)

@@ -1,11 +1,11 @@
-# contactd_library(NAME sources...) makes contactd_NAME with the alias contactd::NAME and the project's warnings.
+# contactd_library(NAME sources...) creates contactd_NAME with the alias contactd::NAME and the project's warnings.
 function(contactd_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
   if(CONTACTD_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
   if(CONTACTD_SANITIZE)
-    # With sanitizers gcc finds false positives in std::regex.
+    # With sanitizers, gcc reports false positives in std::regex.
     target_compile_options(${target} PRIVATE -Wno-maybe-uninitialized)
     target_compile_options(${target} PRIVATE -fsanitize=${CONTACTD_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
     target_link_options(${target} PUBLIC -fsanitize=${CONTACTD_SANITIZE})
@@ -16,14 +16,14 @@ function(contactd_warnings target)
   endif()
 endfunction()
 
-# contactd_portable(TARGET): it finds its libraries where the system has them, or where who packs it says, and remembers no
-# folder of the machine that built it.
+# contactd_portable(TARGET) makes a target look for its libraries in the system's folders, or where the packager
+# specifies, and in no folder of the build machine.
 function(contactd_portable target)
   set_target_properties(${target} PROPERTIES SKIP_BUILD_RPATH ON)
 endfunction()
 
-# contactd_complete(TARGET): where CONTACTD_WHEEL says so, all that a shared object needs is inside, but for what every Linux of the
-# last years has.
+# contactd_complete(TARGET) links all libraries into a shared object if CONTACTD_WHEEL is set, except those that every
+# Linux of recent years provides.
 function(contactd_complete target)
   if(CONTACTD_WHEEL)
     contactd_portable(${target})
@@ -40,9 +40,10 @@ function(contactd_library name)
   contactd_warnings(contactd_${name})
 endfunction()
 
-# contactd_unity(TARGET sources...): where CONTACTD_UNITY says so, the sources of each folder are compiled as one. They share what
-# costs more than they do: parsing the headers of JSON, Eigen and MFEM, and instances of their templates. The `sources` stay
-# alone: each has a name that another one of its folder has, too. So do files with options of their own.
+# contactd_unity(TARGET sources...) compiles the sources of each folder as one if CONTACTD_UNITY is set. They then share
+# the largest cost: parsing the headers of JSON, Eigen and MFEM, and instantiating their templates. The `sources` stay
+# separate, because each defines a name that another file of its folder defines, too. Files with their own options also
+# stay separate.
 function(contactd_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${CONTACTD_UNITY} UNITY_BUILD_MODE GROUP)
   get_target_property(sources ${target} SOURCES)
@@ -53,12 +54,13 @@ function(contactd_unity target)
     set_source_files_properties(${source} PROPERTIES UNITY_GROUP "${group}")
   endforeach()
   if(CONTACTD_UNITY)
-    target_compile_options(${target} PRIVATE -Wno-shadow)  # of a name of another file
+    target_compile_options(${target} PRIVATE -Wno-shadow)  # defined in another file, too
   endif()
 endfunction()
 
-# contactd_test(NAME sources...) makes a Catch2 program and registers its tests with ctest: one for each source that has test
-# cases, by its path below tests/ without the ending, and one more, labelled slow or long, for its cases with that tag.
+# contactd_test(NAME sources...) creates a Catch2 program and registers its tests with ctest: one for each source with
+# test cases, named by its path below tests/ without the extension. Cases tagged slow or long form a second test of that
+# source with this label.
 function(contactd_test name)
   add_executable(${name} ${ARGN})
   contactd_warnings(${name})
@@ -80,16 +82,16 @@ function(contactd_test name)
   endforeach()
 endfunction()
 
-# contactd_add_test(TARGET source suffix COMMAND...) names a test after its source, which it leaves in `test`, and limits its time;
-# TARGET is what must be built for it. build/<preset>/tests.txt lists all of them.
+# contactd_add_test(TARGET source suffix COMMAND...) names a test after its source, sets its time limit, and stores the
+# name in `test`. TARGET must be built for it. build/<preset>/tests.txt lists all tests.
 function(contactd_add_test target source suffix)
   cmake_path(ABSOLUTE_PATH source)
   cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR}/tests)
   cmake_path(REMOVE_EXTENSION source LAST_ONLY OUTPUT_VARIABLE test)
   string(APPEND test "${suffix}")
   add_test(NAME ${test} ${ARGN})
-  set_tests_properties(${test} PROPERTIES TIMEOUT 900 SKIP_RETURN_CODE 4)  # Catch2 says so where it has skipped all
-  if(DEFINED contactd_test_cost)  # what takes longest begins first, also where nothing has run before
+  set_tests_properties(${test} PROPERTIES TIMEOUT 900 SKIP_RETURN_CODE 4)  # all tests were skipped
+  if(DEFINED contactd_test_cost)  # long tests start first, also before any run was timed
     set_tests_properties(${test} PROPERTIES COST ${contactd_test_cost})
   endif()
   set_property(GLOBAL APPEND PROPERTY contactd_tests "${test}\t${source}\t${target}\n")

@@ -1,5 +1,5 @@
-# The headers of ducc0's FFT, the target ducc0::fft: from where CONTACTD_DUCC0 says, as ./dev does, otherwise fetched once into the
-# build folder.
+# Defines the target ducc0::fft with the headers of ducc0's FFT: from the folder CONTACTD_DUCC0, which ./dev sets,
+# otherwise fetched once into the build folder.
 set(CONTACTD_DUCC0 "$ENV{CONTACTD_DUCC0}" CACHE PATH "Folder that packaging/ducc0/fetch.sh has made; empty: fetched into the build folder")
 if(DEFINED ENV{CONTACTD_DUCC0})
   set_property(CACHE CONTACTD_DUCC0 PROPERTY VALUE "$ENV{CONTACTD_DUCC0}")

@@ -6,7 +6,7 @@ if(NOT commit)
   set(commit unknown)
   find_program(git git)
   if(git)
-    # Whoever builds may read the repository, also where another user owns it.
+    # The repository may belong to another user.
     set(ask ${git} -c safe.directory=* -C ${SOURCE})
     execute_process(COMMAND ${ask} rev-parse --show-toplevel OUTPUT_VARIABLE top OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
     execute_process(COMMAND ${ask} rev-parse --short=12 HEAD OUTPUT_VARIABLE head OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)

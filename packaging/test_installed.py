@@ -1,5 +1,5 @@
-"""Uses an installed daemon, or what is installed to solve in process ("local"), through the installed client: closed form, and
-tables that the builder makes, one of them by its module for sections."""
+"""Tests an installed daemon, or with "local" the installed in-process solver, through the installed client: closed
+forms, and tables from the builder, one of them by its module for sections."""
 
 import sys
 

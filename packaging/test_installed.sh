@@ -4,7 +4,7 @@ export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
 say() { echo "package test: $*" >&2; }
 fail() { say "$*"; exit 1; }
 
-# What a package leaves: everything but what dpkg and apt keep for themselves, and the logs of installing.
+# Lists the files that a package leaves: all except those that dpkg and apt keep, and the logs of installing.
 files() {
     find / -xdev \( -path /proc -o -path /sys -o -path /dev -o -path /run -o -path /tmp -o -path "$folder" \
         -o -path /var/lib/dpkg -o -path /var/lib/apt -o -path /var/cache -o -path /var/log \) -prune -o -print | sort
@@ -20,13 +20,13 @@ say "$(contactd --version | head -n 2 | tr '\n' ' ')"
 getent passwd contactd >/dev/null || fail "the user contactd was not made"
 [ "$(stat -c %U:%a /var/lib/contactd)" = contactd:750 ] || fail "/var/lib/contactd is not the daemon's own"
 [ "$(dpkg-query -W -f='${Conffiles}' contactd | grep -c /etc/contactd/contactd.json)" = 1 ] || fail "the configuration is no conffile"
-# As the unit starts it: its command line, its user, its folder.
+# Starts the daemon like the unit: with its command line, its user and its folder.
 command=$(sed -n 's/^ExecStart=//p' /usr/lib/systemd/system/contactd.service)
 setpriv --reuid contactd --regid contactd --clear-groups $command --check-config
 
 say "starting the daemon and solving"
 cd /var/lib/contactd
-# At a socket of its own: the network is that of the machine.
+# Uses its own socket, because the network is shared with the machine.
 endpoint=ipc:///var/lib/contactd/socket
 setpriv --reuid contactd --regid contactd --clear-groups $command --endpoint $endpoint >/tmp/ready 2>/tmp/daemon.log &
 daemon=$!
@@ -54,7 +54,7 @@ for place in contactd=$endpoint contactd-local=local; do
     cc -std=c99 -pedantic -Wall -Werror "$folder/cattaneo.c" $(pkg-config --cflags --libs "${place%%=*}") -o /tmp/cattaneo
     /tmp/cattaneo "${place#*=}" >>/tmp/cattaneo.out || { cat /tmp/daemon.log >&2; fail "the C program failed"; }
 done
-# The same from both: two lines, each twice.
+# Both print the same two lines.
 [ "$(sort /tmp/cattaneo.out | uniq -c | awk '{ print $1 }' | xargs)" = "2 2" ] || fail "daemon and library differ"
 cc -std=c99 -pedantic -Wall -Werror "$folder/creep_forces.c" $(pkg-config --cflags --libs contactd-cntc) -o /tmp/creep_forces
 [ "$(/tmp/creep_forces | grep -c 'creepage 0.00')" = 4 ] || fail "the program by the cntc functions failed"
@@ -69,7 +69,7 @@ apt-get remove -y -qq $packages >/tmp/remove.log 2>&1 || { cat /tmp/remove.log >
 [ -e /etc/contactd/contactd.json ] || fail "removal took the configuration"
 [ -d /var/lib/contactd ] || fail "removal took the tables"
 [ ! -e /usr/bin/contactd ] || fail "removal left the daemon"
-# Not by apt, which does not know any more those that removal took whole.
+# dpkg is used because apt no longer knows packages that were removed completely.
 dpkg --purge $packages >/tmp/purge.log 2>&1 || { cat /tmp/purge.log >&2; fail "purging failed"; }
 files >/tmp/after
 left=$(comm -13 /tmp/before /tmp/after | grep -i contactd || true)

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs the packages in a fresh Debian 13 root, starts the daemon there as its user, solves, and removes everything:
 #   packaging/test_package.sh FOLDER_OF_THE_PACKAGES [MIRROR]
-# Needs mmdebstrap and the network. Nothing stays behind: the root is thrown away by mmdebstrap itself.
+# Requires mmdebstrap and the network. No files remain: mmdebstrap removes the root.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "$0")")

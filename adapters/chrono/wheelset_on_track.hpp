@@ -20,22 +20,22 @@
 
 class WheelsetOnTrack : public chrono::ChLoadBodyBody {
    public:
-    /// Throws std::runtime_error, with contactd's sentence, where the wheels cannot be made.
+    /// Throws std::runtime_error with contactd's message if the wheels cannot be created.
     WheelsetOnTrack(std::shared_ptr<chrono::ChBody> wheelset, std::shared_ptr<chrono::ChBody> ground,
                     const chrono::ChFrame<>& frame, const std::string& where, const std::string& model, double friction,
                     double element)
         : ChLoadBodyBody(wheelset, ground, frame), wheels_(opened(where, model, friction, element)) {}
 
-    /// Copies share the wheels, whose steps change each other's answers within the tolerances only.
+    /// Copies share the wheels. Their steps affect each other's results only within the tolerances.
     WheelsetOnTrack* Clone() const override { return new WheelsetOnTrack(*this); }
 
-    /// Both wheels, to set other profiles and the like by the paths of contactd.h.
+    /// Returns both wheels, to set profiles and other fields by the paths of contactd.h.
     contactd_wheelset& wheels() const { return *wheels_; }
 
    protected:
     bool IsStiff() override { return true; }
 
-    /// On the track, in its axes; Chrono puts the opposite on the wheelset.
+    /// Computes the force on the track, in its axes; Chrono applies the opposite to the wheelset.
     void ComputeBodyBodyForceTorque(const chrono::ChFrameMoving<>& rel_AB, chrono::ChVector3d& loc_force,
                                     chrono::ChVector3d& loc_torque) override {
         const auto& matrix = rel_AB.GetRotMat();

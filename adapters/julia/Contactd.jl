@@ -86,7 +86,7 @@ end
 Base.close(contact::Contact) = check(ccall((:contactd_free, LIBRARY), Int32, (Ptr{Cvoid},), contact.handle), C_NULL)
 Base.close(wheel::Wheel) = check(ccall((:contactd_wheel_free, LIBRARY), Int32, (Ptr{Cvoid},), wheel.handle), C_NULL)
 
-# A number, a word, or as many numbers as the field has; rows of an array over the grid run along x.
+# Sets a number, a keyword, or the numbers of a field. Rows of an array over the grid run along x.
 Base.setindex!(of::Handle, value::Real, path::AbstractString) =
     check(ccall((:contactd_set, LIBRARY), Int32, (Ptr{Cvoid}, Cstring, Cdouble), of.handle, path, value), of.handle)
 Base.setindex!(of::Handle, value::AbstractString, path::AbstractString) =

@@ -1,4 +1,5 @@
-"""An SSP archive of a wheelset: its body, the track, and its two wheels on their rails, four FMUs for co-simulation.
+"""Makes an SSP archive of a wheelset: its body, the track, and its two wheels on their rails, four FMUs for
+co-simulation.
 
     python3 adapters/ssp WHEEL_FMU HEADERS OUTPUT
 
@@ -32,8 +33,8 @@ NAMESPACES = {
 for _prefix, _address in NAMESPACES.items():
     ET.register_namespace(_prefix, _address)
 
-#: Name, causality and start of the variables of the small FMUs, in the order of their value references: kg, kg m^2, N/mm, N s/mm,
-#: N mm/rad, N mm s/rad, N, N mm, mm, rad and their rates by s.
+#: Name, causality and start value of the variables of the small FMUs, in the order of their value references. Units:
+#: kg, kg m^2, N/mm, N s/mm, N mm/rad, N mm s/rad, N, N mm, mm, rad, and the rates per second.
 PARTS = {
     "body": (
         ("mass", "parameter", 1000.0), ("inertia", "parameter", 600.0), ("k_y", "parameter", 0.0), ("c_y", "parameter", 0.0),
@@ -57,7 +58,7 @@ _WHEEL: dict[str, float | int] = {
 
 @dataclass
 class Component:
-    """An FMU of the system, what of it is connected, and its parameters."""
+    """An FMU of the system, its connected variables, and its parameters."""
 
     source: str
     inputs: tuple[str, ...] = ()
@@ -80,7 +81,7 @@ CONNECTIONS = [
 
 
 def part_description(name: str) -> bytes:
-    """The modelDescription.xml of a small FMU."""
+    """Returns the modelDescription.xml of a small FMU."""
     variables = PARTS[name]
     root = ET.Element("fmiModelDescription", {
         "fmiVersion": "2.0", "modelName": name, "guid": f"{{{hashlib.sha256(repr((name, variables)).encode()).hexdigest()[:32]}}}",
@@ -106,7 +107,7 @@ def part_description(name: str) -> bytes:
 
 
 def part_header(name: str) -> str:
-    """What its source includes of the variables."""
+    """Returns the definitions of the variables that its source includes."""
     starts = ", ".join(repr(0.0 if start is None else start) for _, _, start in PARTS[name])
     return f"enum {{ {', '.join(variable.upper() for variable, _, _ in PARTS[name])} }};\n#define PART_STARTS {starts}\n"
 
@@ -131,7 +132,7 @@ def _connectors(component: Component) -> Iterator[tuple[str, str]]:
 
 
 def system_structure() -> bytes:
-    """SystemStructure.ssd of the wheelset, SSP 1.0."""
+    """Returns SystemStructure.ssd of the wheelset, SSP 1.0."""
     root = ET.Element(_named("ssd", "SystemStructureDescription"), version="1.0", name="wheelset")
     system = ET.SubElement(root, _named("ssd", "System"), name="wheelset")
     elements = ET.SubElement(system, _named("ssd", "Elements"))
@@ -156,7 +157,8 @@ def system_structure() -> bytes:
 
 
 def parameter_values(name: str, component: Component) -> bytes:
-    """Those of a component, resources/NAME.ssv. They stand at the component, where all masters look for them."""
+    """Returns the parameters of a component, resources/NAME.ssv. The component refers to them, because all masters look
+    for them there."""
     root = ET.Element(_named("ssv", "ParameterSet"), version="1.0", name=name)
     listed = ET.SubElement(root, _named("ssv", "Parameters"))
     for parameter, value in component.parameters.items():

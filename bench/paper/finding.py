@@ -38,7 +38,7 @@ def number(value: float) -> str:
 
 
 def at(rows: Sequence[Row], curve: str, L: float) -> Row:
-    # L is L/h times h, rounded to the digits of a file.
+    # L is L/h times h, rounded to the digits in a file.
     for row in rows:
         if row["curve"] == curve and math.isclose(row["L"], L, rel_tol=1e-4):
             return row

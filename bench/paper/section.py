@@ -48,17 +48,18 @@ class Table:
 
 @dataclass(frozen=True)
 class Section:
-    """Parts are named after their CSV files; the page is <name>.md, and finished computations are in <name>.jsonl."""
+    """A section of the paper. Parts are named after their CSV files. The page is <name>.md, and finished computations
+    are in <name>.jsonl."""
 
     name: str
-    number: int | None  #: of the paper's section; none of what goes beyond it
-    parts: Mapping[str, Callable[[], Sequence[Any]]]  #: cases of each, in the order of computation
+    number: int | None  #: those of the paper's section only
+    parts: Mapping[str, Callable[[], Sequence[Any]]]  #: cases of each part, in computation order
     columns: Sequence[str]
-    row: Callable[[Any, Result], Row]  #: of a case and its result, which is no failure
-    pictures: Mapping[str, Callable[[Sequence[Row], Path], None]]  #: parts without one are tables
+    row: Callable[[Any, Result], Row]  #: of a case and its result, which is not a failure
+    pictures: Mapping[str, Callable[[Sequence[Row], Path], None]]  #: parts without a picture are tables
     find: Callable[[Rows], Found]  #: numbers and verdicts of the page
-    efforts: Callable[[Sequence[Spec]], Sequence[float]]  #: guesses of the CPU seconds, for the time left
+    efforts: Callable[[Sequence[Spec]], Sequence[float]]  #: estimated CPU seconds, for the remaining time
     summary: Callable[[Result], str]  #: one line of progress
-    solver: Callable[[Path], AbstractContextManager[Measure]]  #: what computes, of the folder with the programs
+    solver: Callable[[Path], AbstractContextManager[Measure]]  #: identifies the program in the folder
     tables: Mapping[str, Table] = field(default_factory=dict)  #: by part
-    part_columns: Mapping[str, Sequence[str]] = field(default_factory=dict)  #: of parts whose columns are others
+    part_columns: Mapping[str, Sequence[str]] = field(default_factory=dict)  #: of parts with other columns

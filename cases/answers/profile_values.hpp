@@ -1,4 +1,4 @@
-// Profiles as tables of values.
+// Returns profiles as tables of values.
 #pragma once
 
 #include <functional>

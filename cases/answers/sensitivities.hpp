@@ -1,4 +1,4 @@
-// Derivatives of the forces.
+// Computes derivatives of the forces.
 #pragma once
 
 #include "answers/contact_solver.hpp"

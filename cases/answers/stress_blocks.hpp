@@ -1,4 +1,4 @@
-// Blocks of points inside the bodies, and the stresses there.
+// Blocks of points inside the bodies, and their stresses.
 #pragma once
 
 #include <vector>

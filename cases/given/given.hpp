@@ -75,13 +75,13 @@ struct GivenFriction {
                      ///< 30 for friction by rows of elements
     std::vector<double> parameters;
     FrictionLaw law;
-    /// Friction that varies with the rail's angle: the law at each angle (rad), in ascending order.
+    /// The law at an angle (rad), for friction that varies with the rail's angle; in ascending order.
     struct AtAngle {
         double angle = 0;
         FrictionLaw law;
     };
     std::vector<AtAngle> by_angle{};
-    /// Friction that varies along the track: the numbers of the law at each place, in ascending order.
+    /// The numbers of the law at each place, in ascending order, for friction that varies along the track.
     std::vector<ContactFrictionAtPlace> along_track{};
     std::vector<FrictionLaw> by_row{};  ///< the law of each row of elements
 };

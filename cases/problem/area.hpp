@@ -1,4 +1,4 @@
-// The potential contact area and the undeformed distance.
+// Makes the potential contact area and the undeformed distance.
 #pragma once
 
 #include <optional>

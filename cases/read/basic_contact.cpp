@@ -1,4 +1,4 @@
-// Module 3: two bodies on a grid.
+// Reads module 3: two bodies on a grid.
 #include <array>
 #include <string>
 

@@ -1,4 +1,4 @@
-// The control digits of a case.
+// Reads the control digits of a case.
 #pragma once
 
 #include <string_view>

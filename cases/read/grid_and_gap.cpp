@@ -1,4 +1,4 @@
-// The potential contact and the undeformed distance of module 3.
+// Reads the potential contact and the undeformed distance of module 3.
 #include <string>
 
 #include "steps.hpp"

@@ -1,4 +1,4 @@
-// Module 1: a wheel on its rail or roller.
+// Reads module 1: a wheel on its rail or roller.
 #include <array>
 #include <string>
 

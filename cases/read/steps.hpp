@@ -43,7 +43,7 @@ std::span<const std::string_view> names_of_friction(int law);
 /// Reads output digits and blocks of points below the surface.
 void read_subsurface(Reading& reading);
 
-// Steps of module 3.
+// Parts of module 3.
 void read_grid(Reading& reading);
 void read_gap(Reading& reading);
 

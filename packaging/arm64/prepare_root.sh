@@ -1,5 +1,6 @@
-# Runs inside the root that ./dev arm64 makes, before the packages come: MPI's headers of arm64 ask for a Fortran compiler that runs
-# there, and would bring it, and those of C and C++, in place of the ones that run here. Nothing here is compiled by it.
+# Runs inside the root of ./dev arm64 before packages are installed. MPI's headers for arm64 depend on a Fortran
+# compiler that runs on arm64, and would replace the compilers that run here. This script prevents that; nothing here is
+# compiled with it.
 set -eu
 folder=$(mktemp -d)
 mkdir "$folder/DEBIAN"

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# packaging/arm64/test_arm64.sh BUILD CASES MACHINE: runs the programs of tests/platforms of BUILD/bin under QEMU, and compares their
-# lines with those of this machine, which are in CASES/linux. Then installs and uses the wheels of BUILD/wheels with the Python of
-# MACHINE, files of arm64. QEMU runs one program, and what that starts is run by this machine: nothing there starts any.
+# packaging/arm64/test_arm64.sh BUILD CASES MACHINE: runs the programs of tests/platforms in BUILD/bin under QEMU, and
+# compares their output with that of this machine in CASES/linux. Then it installs and uses the wheels of BUILD/wheels
+# with the Python of MACHINE, a folder of arm64 files. QEMU runs one program only: this machine would run its child
+# processes, so the tests start none.
 set -euo pipefail
 
 repository=$(dirname "$(dirname "$(dirname "$(readlink -f "$0")")")")

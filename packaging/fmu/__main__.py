@@ -1,11 +1,13 @@
-"""The FMUs: python3 packaging/fmu DESCRIBER LIBRARY FOLDER [--complete STATIC ...] [--windows FOLDER] [--arm64 FOLDER].
+"""Makes the FMUs: python3 packaging/fmu DESCRIBER LIBRARY FOLDER [--complete STATIC ...] [--windows FOLDER] [--arm64
+FOLDER].
 
-DESCRIBER is contactd-fmu-description, LIBRARY the shared object of all FMUs. For each kind and version of FMI an archive comes
-into FOLDER: contactd_contact_fmi2.fmu, ... With --complete the library must need nothing but the C library, and licences of
-what is inside come along; STATIC are the folders that packaging/wheels/static_libraries.sh, zeromq.sh and packaging/ducc0/fetch.sh have made. With
---windows the archives hold the DLL, too, that ./dev windows has put into FOLDER/lib/fmu, with the licences beside. With
---arm64 they hold that of ./dev arm64 where FMI 3 has a folder for it; FMI 2 knows Linux of one processor only, and so contacts and
-wheels come as archives of arm64, too, contactd_contact_fmi2_arm64.fmu. ./dev fmu does all of it.
+DESCRIBER is contactd-fmu-description, and LIBRARY the shared object of all FMUs. FOLDER receives an archive for each
+kind and version of FMI: contactd_contact_fmi2.fmu, ... With --complete, the library must depend on the C library only,
+and the licences of its contents are added. STATIC are the folders made by packaging/wheels/static_libraries.sh,
+zeromq.sh and packaging/ducc0/fetch.sh. With --windows, the archives also contain the DLL that ./dev windows has put
+into FOLDER/lib/fmu, with its licences. With --arm64, they contain the library of ./dev arm64 if the version of FMI has
+a folder for it. FMI 2 supports one processor of Linux only, so separate archives are made for arm64:
+contactd_contact_fmi2_arm64.fmu, ... ./dev fmu does all of this.
 """
 
 from __future__ import annotations
@@ -24,7 +26,7 @@ sys.path.append(str(Path(__file__).parents[1] / "wheels"))
 from inside import licenses_of, origins_of, refuse_links
 
 ROOT = Path(__file__).parents[2]
-#: Where FMI 2 and 3 look for the shared object.
+#: Folders in which FMI 2 and 3 look for the shared object.
 PLATFORMS = {2: "linux64", 3: "x86_64-linux"}
 OF_WINDOWS = {2: "win64", 3: "x86_64-windows"}
 OF_ARM64 = {3: "aarch64-linux"}
@@ -79,7 +81,7 @@ def main() -> None:
 
 
 def notices_of(platform: str, folder: Path) -> dict[str, str]:
-    """What a library of another platform has inside, in the folder that ./dev has built it in."""
+    """Returns the licences of a library of another platform, from the folder in which ./dev has built it."""
     notices = folder / "notices"
     texts = {f"{platform}/{file.name}": file.read_text(errors="replace") for file in sorted((notices / "licenses").iterdir())}
     return {**texts, f"{platform}/sources.txt": (notices / "SOURCES.txt").read_text()}

@@ -1,4 +1,4 @@
-"""An FMU: a zip of files. The same bytes for the same content."""
+"""Writes an FMU, a zip of files, with reproducible bytes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
 def write_fmu(path: Path, files: Mapping[str, bytes]) -> Path:
-    """Puts `files`, name -> content, into the place of the one that may be there, at once. Returns `path`."""
+    """Writes `files` (name -> content) and atomically replaces an existing archive. Returns `path`."""
     half = path.with_suffix(".half")
     with zipfile.ZipFile(half, "w", zipfile.ZIP_DEFLATED, compresslevel=6) as archive:
         for name, data in files.items():

@@ -1,4 +1,4 @@
-"""The modelDescription.xml of an FMU, in FMI 2.0 and 3.0, from what contactd-fmu-description says of it."""
+"""Writes the modelDescription.xml of an FMU, in FMI 2.0 and 3.0, from the output of contactd-fmu-description."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Any
 __all__ = ["model_description"]
 
 Json = Mapping[str, Any]
-#: Role -> causality and variability of a real, and of all others.
+#: Role -> causality and variability of a real, and of all other types.
 ROLES = {
     "time": ("independent", "continuous", "continuous"),
     "parameter": ("parameter", "fixed", "fixed"),
@@ -23,7 +23,7 @@ CAN = {
     "canBeInstantiatedOnlyOncePerProcess": "false",
     "needsExecutionTool": "false",
 }
-#: Type -> element in FMI 2, and in FMI 3.
+#: Type -> element in FMI 2 and in FMI 3.
 TYPES = {
     "real": ("Real", "Float64"), "integer": ("Integer", "Int32"), "boolean": ("Boolean", "Boolean"),
     "enumeration": ("Enumeration", "Enumeration"), "text": ("String", "String"),
@@ -31,14 +31,14 @@ TYPES = {
 
 
 def model_description(kind: Json, units: list[Json], version: str, fmi: int) -> bytes:
-    """`kind` and `units` are parts of that JSON; `version` is contactd's, `fmi` 2 or 3."""
+    """Returns the description. `kind` and `units` are parts of that JSON, `version` is contactd's, and `fmi` is 2 or 3."""
     of = {2: _Fmi2, 3: _Fmi3}[fmi](kind, units, version)
     ET.indent(of.root)
     return ET.tostring(of.root, encoding="UTF-8", xml_declaration=True)
 
 
 class _Description:
-    """What both versions have in common. A value reference is a variable's place in the list."""
+    """Returns the attributes that both versions share. A value reference is a variable's position in the list."""
 
     def __init__(self, kind: Json, units: list[Json], version: str, root: Mapping[str, str]) -> None:
         self.kind = kind
@@ -81,7 +81,7 @@ class _Description:
             ET.SubElement(ET.SubElement(definitions, "Unit", name=unit["name"]), "BaseUnit", base)
 
     def enumerations(self) -> Iterator[Json]:
-        """Each once."""
+        """Returns each unit once."""
         seen: dict[str, Json] = {}
         for variable in self.variables:
             if "enumeration" in variable:
@@ -100,7 +100,7 @@ class _Description:
         return all_ | ({"initial": initial} if initial else {})
 
     def typed(self, variable: Json) -> dict[str, str]:
-        """Unit, declared type and start, as far as the variable has them."""
+        """Returns unit, declared type and start value, as far as the variable has them."""
         found = {}
         if variable["type"] == "enumeration":
             found["declaredType"] = variable["enumeration"]["name"]
@@ -136,7 +136,7 @@ class _Fmi2(_Description):
     def model_variables(self, parent: ET.Element) -> None:
         for reference, variable in enumerate(self.variables):
             if variable["role"] == "time":
-                continue  # which FMI 2 knows without
+                continue  # FMI 2 predefines them
             scalar = ET.SubElement(parent, "ScalarVariable", self.attributes(reference))
             ET.SubElement(scalar, TYPES[variable["type"]][0], self.typed(variable))
 
@@ -144,7 +144,7 @@ class _Fmi2(_Description):
         for name in ("Outputs", "InitialUnknowns"):
             unknowns = ET.SubElement(parent, name)
             for reference in self.outputs():
-                ET.SubElement(unknowns, "Unknown", index=str(reference))  # counted from 1, and time is not there
+                ET.SubElement(unknowns, "Unknown", index=str(reference))  # counted from 1, without time
 
 
 class _Fmi3(_Description):

@@ -1,7 +1,8 @@
-"""Puts a release together from what was built: python3 packaging/release check VERSION, or assemble VERSION FOLDER.
+"""Assembles a release from the built parts: python3 packaging/release check VERSION, or assemble VERSION FOLDER.
 
-check says why nothing can be released from this clone as it stands. assemble takes wheels, packages, libraries, FMUs and the
-site from the build folder, makes the archives, the bill of materials, the notices and the sums, and leaves signing to ./dev release.
+check lists the reasons why this clone cannot be released as it is. assemble takes wheels, packages, libraries, FMUs and
+the site from the build folder, and makes the archives, the bill of materials, the notices and the checksums. ./dev
+release signs them.
 """
 
 from __future__ import annotations
@@ -31,7 +32,7 @@ def git(*arguments: str) -> bytes:
 
 
 def reasons_against(asked: str) -> list[str]:
-    """Why this clone is no release of that version."""
+    """Returns the reasons why this clone is not a release of that version."""
     wrong = [f"{sentence}; it must be {version()}" for sentence in differing()]
     if asked != version():
         wrong.append(f"CMakeLists.txt has {version()}; packaging/release/versions.py {asked} changes it in all places")
@@ -66,13 +67,13 @@ def assemble(asked: str, folder: Path) -> None:
     for machine, built, texts in (("x86_64", "fmu-build", linux), ("aarch64", "arm64", arm64)):
         found = sorted((BUILD / built / "lib").glob("libcontactd-*.so*"))
         shared = {f"lib/{path.name}": path.read_bytes() for path in found if not path.is_symlink()}
-        # Names by which linkers find them, and programs when they start.
+        # Creates the names by which linkers find the libraries, and programs when they start.
         links = {f"{name}/lib/{path.name}": os.readlink(path) for path in found if path.is_symlink()}
         if not shared:
             sys.exit(f"build/{built}/lib has no libraries")
         write_tar(folder / f"{name}-linux-{machine}.tar.gz", {f"{name}/{file}": data for file, data in {**headers, **pages, **examples, **shared, **texts}.items()}, links)
     site = files_of(BUILD / "docs", f"{name}-site/")
-    site.pop(f"{name}-site/.buildinfo", None)  # a digest of paths, by which Sphinx knows what to build anew
+    site.pop(f"{name}-site/.buildinfo", None)  # a digest of paths that only Sphinx uses, for rebuilds
     write_tar(folder / f"{name}-site.tar.gz", site)
     notices = {**inside, **{Path(file).name: data for file, data in {**windows, **arm64}.items() if file.startswith("licenses/")}}
     (folder / "NOTICES.txt").write_bytes(b"\n".join(f"=== {file} ===\n".encode() + notices[file] for file in sorted(notices)))
@@ -95,7 +96,7 @@ def tarfile_of(content: bytes) -> dict[str, bytes]:
 
 
 def sdist(folder: Path, sources: dict[str, bytes]) -> None:
-    """The source distribution of the client, packed anew."""
+    """Repacks the source distribution of the client."""
     with tempfile.TemporaryDirectory() as scratch:
         project = Path(scratch, "project")
         for file, data in sources.items():
@@ -112,11 +113,11 @@ def sdist(folder: Path, sources: dict[str, bytes]) -> None:
 
 
 def notices_of(folder: Path) -> dict[str, bytes]:
-    """What FMUs of Linux say of what is inside, which the libraries have inside as well."""
+    """Returns the notices in FMUs for Linux, which also apply to the libraries."""
     with zipfile.ZipFile(next(folder.glob("*.fmu"))) as archive:
         place = "documentation/licenses/"
         found = {name.removeprefix(place): archive.read(name) for name in archive.namelist() if name.startswith(place)}
-    return {name: text for name, text in found.items() if "/" not in name}  # deeper are those of other platforms
+    return {name: text for name, text in found.items() if "/" not in name}  # deeper ones are those of other platforms
 
 
 def main() -> None:

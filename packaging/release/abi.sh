@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# packaging/release/abi.sh OLD NEW: compares the C libraries of two archives of Linux (contactd-VERSION-linux-x86_64.tar.gz) by
-# abidiff. Ends with 0 when NEW has all that OLD has, unchanged.
+# packaging/release/abi.sh OLD NEW: compares the C libraries of two archives for Linux
+# (contactd-VERSION-linux-x86_64.tar.gz) with abidiff. Exits with 0 if NEW contains everything in OLD, unchanged.
 set -euo pipefail
 
 scratch=$(mktemp -d)
@@ -16,7 +16,7 @@ for old in "$scratch"/old/lib/*.so*; do
     name=$(basename "$old" | sed 's/\.so.*//')
     new=$(find "$scratch/new/lib" -type f -name "$name.so*" | head -n 1)
     [ -n "$new" ] || { echo "abi: $name is gone" >&2; exit 1; }
-    # 8 is what abidiff adds for a change that old programs do not bear; 4 alone says that functions came.
+    # abidiff adds 8 for a change that breaks old programs; 4 alone means added functions.
     found=0
     abidiff --headers-dir1 "$scratch/old/include" --headers-dir2 "$scratch/new/include" "$old" "$new" || found=$?
     if [ $((found & 11)) -ne 0 ] || [ "$(nm -D --defined-only "$old" | awk '{print $3}' | sed 's/@.*//' | sort -u |

@@ -1,4 +1,4 @@
-"""Archives with the same bytes for the same content: sorted, of one time, without names of users."""
+"""Makes archives with reproducible bytes: sorted, with one time, and without names of users."""
 
 from __future__ import annotations
 
@@ -15,17 +15,18 @@ __all__ = ["epoch", "files_of", "write_tar", "write_zip"]
 
 
 def epoch() -> int:
-    """The time of all files: SOURCE_DATE_EPOCH."""
+    """Returns the time of all files: SOURCE_DATE_EPOCH."""
     return int(os.environ["SOURCE_DATE_EPOCH"])
 
 
 def files_of(folder: Path, within: str = "") -> dict[str, bytes]:
-    """Name -> content of all files of a folder, below `within`."""
+    """Returns name -> content of all files of a folder, below `within`."""
     return {f"{within}{path.relative_to(folder).as_posix()}": path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
 
 
 def write_tar(path: Path, files: Mapping[str, bytes], links: Mapping[str, str] | None = None) -> Path:
-    """Writes a .tar.gz; programs and libraries (.so) may be run. `links` are symbolic ones, with what each names."""
+    """Writes a .tar.gz in which programs and libraries (.so) are executable. `links` are symbolic links with their
+    targets."""
     links = links or {}
     packed = io.BytesIO()
     with tarfile.open(fileobj=packed, mode="w", format=tarfile.PAX_FORMAT) as archive:

@@ -1,4 +1,4 @@
-"""Binaries of a release that name a folder of the machine that built them, and so would be others elsewhere."""
+"""Finds binaries of a release that contain the name of a folder of the build machine, and are thus not reproducible."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ __all__ = ["binaries_in", "telling"]
 
 
 def binaries_in(name: str, content: bytes) -> Iterator[tuple[str, bytes]]:
-    """Name and content of every program and library of Linux or Windows in a file, and in archives within archives."""
+    """Yields name and content of every program and library for Linux or Windows in a file, and in archives within
+    archives."""
     if content[:4] == b"\x7fELF" or content[:2] == b"MZ":
         yield name, content
     elif content[:4] == b"PK\x03\x04":
@@ -33,7 +34,7 @@ def binaries_in(name: str, content: bytes) -> Iterator[tuple[str, bytes]]:
 
 
 def telling(folder: Path, places: Sequence[str]) -> list[str]:
-    """Sentences; none where no binary of the folder has one of the places, each a beginning of paths."""
+    """Returns a sentence for each binary of the folder that contains one of the places, each a prefix of paths."""
     return [
         f"{name} names {place}"
         for path in sorted(folder.iterdir())

@@ -1,4 +1,4 @@
-"""The bill of materials: every library inside of every file, with its version, in the form of CycloneDX 1.5 (JSON)."""
+"""Writes the bill of materials: the libraries inside every file, with their versions, as CycloneDX 1.5 (JSON)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from typing import Any
 __all__ = ["bill_of", "libraries_in"]
 
 REQUIREMENTS = Path(__file__).parents[1] / "ducc0" / "requirements.txt"
-#: What the binaries of Debian packages have inside, beside what they depend on: headers of Debian, and ducc0's FFT.
+#: Contents of the binaries of Debian packages in addition to their dependencies: headers of Debian, and ducc0's FFT.
 _NUMERICS, _MESSAGES = ("ducc0", "libeigen3-dev"), ("nlohmann-json3-dev",)
 INSIDE_PACKAGES = {
     "contactd": (*_NUMERICS, *_MESSAGES, "cppzmq-dev", "libcli11-dev", "libspdlog-dev"),
@@ -24,13 +24,13 @@ INSIDE_PACKAGES = {
     "libcontactd-local1": (*_NUMERICS, *_MESSAGES, "cppzmq-dev"),
     "libcontactd-cntc0": _NUMERICS,
 }
-#: What wheels on PyPI that ours depend on have inside: versions are those of the wheel that pip takes.
+#: Contents of the wheels on PyPI on which ours depend. Versions are those of the wheel that pip chooses.
 _BROUGHT = {"pyzmq": ("zeromq", "libsodium")}
 
 
 def libraries_in(path: Path) -> Iterator[tuple[str, str]]:
-    """Name and version of what a file has inside, or of what it depends on, as it tells by itself. Raises ValueError for a line of
-    its sources that has none."""
+    """Returns name and version of a file's contents or dependencies, as the file states them. Raises ValueError for a
+    line of its sources without both."""
     for line in _lines_in(path):
         if found := re.fullmatch(r"([a-z0-9][a-z0-9.+-]*?)_(\S+?)\.orig\.tar\.\w+", line):  # an author's archive, from Debian
             yield found[1], found[2]
@@ -38,7 +38,7 @@ def libraries_in(path: Path) -> Iterator[tuple[str, str]]:
             yield found[1], found[2]
         elif found := re.fullmatch(r"([a-z0-9][a-z0-9.+-]*) (\S+)", line):  # a source package of Debian
             yield found[1], found[2]
-        elif path.suffix != ".whl":  # whose metadata have other lines, too
+        elif path.suffix != ".whl":  # their metadata have other lines, too
             raise ValueError(f"{path.name} lists {line!r}; a name and a version must be read from it")
 
 
@@ -57,7 +57,7 @@ def _lines_in(path: Path) -> list[str]:
         return [*asked, *(line[2:] for line in lines if line.startswith("- "))]
     if path.suffix in (".fmu", ".zip"):
         return _sources_in(path)
-    if path.suffix == ".ssp":  # whose FMUs have theirs
+    if path.suffix == ".ssp":  # FMUs have their own list
         with zipfile.ZipFile(path) as archive:
             return [line for name in archive.namelist() if name.endswith(".fmu") for line in _sources_in(io.BytesIO(archive.read(name)))]
     if path.name.endswith(".tar.gz"):
@@ -73,7 +73,7 @@ def _lines_in(path: Path) -> list[str]:
 
 
 def _installed(package: str) -> str:
-    """The version that is installed where packages are built, with which they were linked; none of what is not."""
+    """Returns the version installed on the build machine, with which the files were linked; None if it is not installed."""
     if package == "ducc0":
         found = re.search(r"ducc0==([\d.]+)", REQUIREMENTS.read_text())
         return found[1] if found else ""
@@ -82,7 +82,7 @@ def _installed(package: str) -> str:
 
 
 def bill_of(folder: Path, version: str, timestamp: str) -> str:
-    """Of the files of a folder, as text."""
+    """Returns the bill of materials of a folder as text."""
     components: list[dict[str, Any]] = []
     dependencies: list[dict[str, Any]] = []
     known: dict[str, dict[str, Any]] = {}

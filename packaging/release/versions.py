@@ -1,6 +1,7 @@
-"""The version, which CMakeLists.txt has, and wherever else it stands: python3 packaging/release/versions.py [VERSION].
+"""Checks or sets the version, which CMakeLists.txt defines: python3 packaging/release/versions.py [VERSION].
 
-Without a version it says where another one stands, and fails; with one it writes it to all places.
+Without a version, it lists the places with another version, and fails if there are any. With one, it writes the version
+to all places.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from pathlib import Path
 __all__ = ["differing", "version", "write"]
 
 ROOT = Path(__file__).parents[2]
-#: File: patterns whose first group is the version. The first file is the one that the others follow.
+#: File: patterns whose first group is the version. The first file defines the version.
 PLACES = {
     "CMakeLists.txt": [r"project\(contactd VERSION (\S+) "],
     "client/python/contactd/_version.py": [r'__version__ = "([^"]+)"'],
@@ -23,20 +24,20 @@ PLACES = {
     "packaging/spack/package.py": [r'^    version\("([^"]+)"\)'],
     "packaging/debian/changelog": [r"\Acontactd \(([^)-]+)"],
 }
-#: The version in three numbers.
+#: Returns the three numbers of a version.
 HEADER = "client/c/include/contactd.h"
 NUMBERS = [rf"#define CONTACTD_VERSION_{part} (\d+)" for part in ("MAJOR", "MINOR", "PATCH")]
 
 
 def version() -> str:
-    """That of CMakeLists.txt."""
+    """Returns the version in CMakeLists.txt."""
     found = re.search(PLACES["CMakeLists.txt"][0], (ROOT / "CMakeLists.txt").read_text())
     assert found
     return found[1]
 
 
 def differing() -> list[str]:
-    """Places that have another version than CMakeLists.txt, or none."""
+    """Returns the places whose version differs from CMakeLists.txt or is missing."""
     expected, wrong = version(), []
     for file, patterns in PLACES.items():
         text = (ROOT / file).read_text()
@@ -50,7 +51,7 @@ def differing() -> list[str]:
 
 
 def write(new: str) -> None:
-    """Writes it to all places."""
+    """Writes the version to all places."""
     if not re.fullmatch(r"\d+\.\d+\.\d+", new):
         raise ValueError(f"{new} is no version; it must be three numbers with dots between")
 

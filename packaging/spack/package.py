@@ -1,8 +1,9 @@
-"""A recipe for Spack: the C libraries, and with +python the client of Python. `spack develop` with the sources builds it; for a
-submission a version needs the address of the release's archive and its SHA-256. docs/plugged-in.md says what of it was run here."""
+"""A recipe for Spack: the C libraries, and with +python the Python client. `spack develop` builds it from the sources.
+For a submission, a version needs the address of the release's archive and its SHA-256. docs/plugged-in.md lists the
+parts that were tested here."""
 # ruff: noqa: F403, F405, RUF012
 
-from spack.package import *  # recipes of Spack begin so
+from spack.package import *  # as in all recipes of Spack
 
 
 class Contactd(CMakePackage):

@@ -1,9 +1,9 @@
-"""The wheels of contactd: python3 packaging/wheels client FOLDER, local MODULE STATIC DUCC0 FOLDER, or daemon BIN DUCC0
+"""Makes the wheels: python3 packaging/wheels client FOLDER, local MODULE STATIC DUCC0 FOLDER, or daemon BIN DUCC0
 FOLDER.
 
-MODULE is the contactd_local of the preset wheel, STATIC what static_libraries.sh and DUCC0 what
-packaging/ducc0/fetch.sh has made, BIN has the programs; the wheel
-comes into FOLDER. ./dev wheel does all of it.
+MODULE is the contactd_local of the preset wheel. STATIC is the folder made by static_libraries.sh, and DUCC0 the one
+made by packaging/ducc0/fetch.sh. BIN contains the programs. The wheel is written to FOLDER. ./dev wheel does all of
+this.
 """
 
 from __future__ import annotations

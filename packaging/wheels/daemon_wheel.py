@@ -1,4 +1,4 @@
-"""contactd-daemon: daemon and builder, modules that they open, all libraries of these, and the loader."""
+"""Makes contactd-daemon: daemon and builder with the modules that they load, their libraries, and the loader."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ PROGRAMS = ("contactd", "contactd-ic")
 
 
 def daemon_wheel(bin: Path, ducc0: Path, version: str, folder: Path) -> Path:
-    """The wheel, in `folder`. `bin` has the programs, and beside them the modules (*.so) that they open when needed.
-    `ducc0` is what packaging/ducc0/fetch.sh has made.
+    """Makes the wheel in `folder`. `bin` contains the programs, and beside them the modules (*.so) that they load on
+    demand. `ducc0` is the folder made by packaging/ducc0/fetch.sh.
 
-    Raises ValueError for what looks for libraries in folders of its own.
+    Raises ValueError for a binary that looks for libraries in folders of its own.
     """
     modules = sorted(file for file in bin.glob("*.so") if is_elf(file))
     libraries: dict[str, Path] = {}

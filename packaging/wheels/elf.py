@@ -1,4 +1,4 @@
-"""What is asked of programs and libraries: what they need, and where they look for it."""
+"""Reads which libraries programs and libraries need, and where they look for them."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from pathlib import Path
 
 __all__ = ["is_elf", "links", "machine_of", "own_folders"]
 
-#: By the number that ELF has for them.
+#: Processors by their numbers in ELF.
 _MACHINES = {62: "x86_64", 183: "aarch64"}
 
 
@@ -23,18 +23,19 @@ def is_elf(path: Path) -> bool:
 
 
 def machine_of(path: Path) -> str:
-    """For which processor it is: x86_64 or aarch64."""
+    """Returns the processor of a binary: x86_64 or aarch64."""
     with path.open("rb") as file:
         return _MACHINES[int.from_bytes(file.read(20)[18:], "little")]
 
 
 def links(path: Path) -> dict[str, Path]:
-    """All libraries that it needs, and those that these need: name -> file; with the loader, which it names by a path.
+    """Returns all libraries that it needs, directly and indirectly, as name -> file, including the loader, which it
+    names by a path.
 
-    Raises FileNotFoundError for what is not there.
+    Raises FileNotFoundError for missing ones.
     """
     machine = machine_of(path)
-    # For another processor than this one its own loader lists them, as ldd has this one's do.
+    # The loader of another processor lists the libraries, like ldd for this one.
     lists = ["ldd"] if machine == platform.machine() else [f"qemu-{machine}", f"/lib/ld-linux-{machine}.so.1", "--list"]
     found = {}
     for line in _output(*lists, path).splitlines():
@@ -48,6 +49,6 @@ def links(path: Path) -> dict[str, Path]:
 
 
 def own_folders(path: Path) -> list[str]:
-    """Where it says itself that its libraries are (RPATH and RUNPATH)."""
+    """Returns the folders in which the binary itself looks for libraries (RPATH and RUNPATH)."""
     found = re.findall(r"\((?:RPATH|RUNPATH)\).*\[(.*)\]", _output("readelf", "-dW", path))
     return [folder for folders in found for folder in folders.split(":")]

@@ -1,4 +1,4 @@
-"""Says how much processor time `import contactd` takes in a process of its own, the interpreter included: the least of five."""
+"""Prints the processor time of `import contactd` in a separate process, including the interpreter: the minimum of five."""
 
 import resource
 import subprocess

@@ -1,4 +1,4 @@
-"""The licences of what lies in a wheel: the copyright file of each Debian package, and the texts that these name."""
+"""Collects the licences of the contents of a wheel: the copyright file of each Debian package, and the texts it names."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ _COMMON = Path("/usr/share/common-licenses")
 
 
 class Origins:
-    """From which packages files come. Gives their licences, and which sources belong to them."""
+    """Finds the packages that contain files, with their licences and their sources."""
 
     def __init__(self, files: Iterable[Path]) -> None:
         owners = subprocess.run(["dpkg-query", "-S", *map(str, files)], capture_output=True, text=True, check=True).stdout
@@ -21,12 +21,12 @@ class Origins:
         self.packages = sorted({line.split(":")[0] for line in owners.splitlines()})
 
     def sources(self) -> list[str]:
-        """Source packages with their versions, which are those of Debian: what the GPL calls the source code."""
+        """Source packages with their versions in Debian: the source code in the sense of the GPL."""
         asked = ["dpkg-query", "-W", "-f", "${source:Package} ${source:Version}\n", *self.packages]
         return sorted(set(subprocess.run(asked, capture_output=True, text=True, check=True).stdout.splitlines()))
 
     def texts(self) -> dict[str, str]:
-        """name -> text: for each package its copyright, and the common licences to which these refer."""
+        """Returns name -> text: for each package its copyright, and the common licences to which these refer."""
         found = {package: _copyright(package) for package in self.packages}
         common = re.findall(rf"{_COMMON}/([A-Za-z0-9.+-]*[A-Za-z0-9])", "\n".join(found.values()))
         for name in sorted({name for name in common if (_COMMON / name).is_file()}):

@@ -1,4 +1,4 @@
-"""contactd-local: the module that solves in the process of Python, with the libraries it needs inside."""
+"""Makes contactd-local: the module that solves inside a Python process, containing its libraries."""
 
 from __future__ import annotations
 
@@ -16,8 +16,9 @@ HERE = Path(__file__).parent
 
 
 def local_wheel(module: Path, static: Sequence[Path], version: str, folder: Path) -> Path:
-    """The wheel, in `folder`. Its name does not say yet which glibc it takes: ./dev has auditwheel find that out, which
-    refuses what needs libraries of this machine. `static` are the folders of static_libraries.sh and ducc0's FFT."""
+    """Makes the wheel in `folder`. Its name does not state the required glibc yet: ./dev calls auditwheel, which
+    determines it and rejects a module that requires libraries of this machine. `static` are the folders of
+    static_libraries.sh and ducc0's FFT."""
     sources, licenses = origins_of(module).sources(), {}
     for part in static:
         sources += (part / "sources.txt").read_text().splitlines()

@@ -1,7 +1,8 @@
-"""Licences and sources of what libraries of another platform have inside: python3 packaging/wheels/notices.py LIBRARY FOLDER PART...
+"""Writes licences and sources of the contents of libraries for another platform: python3 packaging/wheels/notices.py
+LIBRARY FOLDER PART...
 
-LIBRARY is a DLL, or a shared object of arm64; PART are the folders that static_libraries.sh, zeromq.sh and
-packaging/ducc0/fetch.sh have made. Into FOLDER come licenses/ and SOURCES.txt.
+LIBRARY is a DLL, or a shared object for arm64. PART are the folders made by static_libraries.sh, zeromq.sh and
+packaging/ducc0/fetch.sh. FOLDER receives licenses/ and SOURCES.txt.
 """
 
 from __future__ import annotations

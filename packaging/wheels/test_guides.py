@@ -1,6 +1,7 @@
-"""Runs the examples of guides with the package that is installed: test_guides.py GUIDE...
+"""Runs the examples of guides with the installed package: test_guides.py GUIDE...
 
-A guide is a page (.md), whose examples find the client of a private daemon, or a notebook (.ipynb), which has its own.
+A guide is a page (.md), whose examples use the client of a private daemon, or a notebook (.ipynb), which creates its
+own.
 """
 
 from __future__ import annotations

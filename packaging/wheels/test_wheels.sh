@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# packaging/wheels/test_wheels.sh ROOT WHEELS: installs, uses and removes the wheels in empty environments in ROOT, a Debian
-# root with Python in which nothing can be written. What pip is told on this machine it is told there.
+# packaging/wheels/test_wheels.sh ROOT WHEELS: installs, uses and removes the wheels in empty environments in ROOT, a
+# read-only Debian root with Python. The settings of pip on this machine apply there, too.
 set -euo pipefail
 
 repository=$(dirname "$(dirname "$(dirname "$(readlink -f "$0")")")")

@@ -1,4 +1,4 @@
-"""Runs every example of docs/contactctl.md with what is installed, at a private daemon: try_contactctl.py PAGE."""
+"""Runs every example of docs/contactctl.md with the installed packages and a private daemon: try_contactctl.py PAGE."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from contactd import LocalDaemon
 
 
 def commands(page: str) -> Iterator[tuple[str, str]]:
-    """Each with what is shown of its output; nothing where nothing is."""
+    """Yields each example with the output that the page shows; empty if it shows none."""
     for block in re.findall(r"(?:^    .*\n(?:\n(?=    ))?)+", page, re.MULTILINE):
         for example in re.split(r"^    \$ ", block, flags=re.MULTILINE)[1:]:
             command, _, shown = example.partition("\n")

@@ -1,4 +1,4 @@
-"""Solves in process with what is installed: try_local.py; with `tables` it also builds one by finite elements, twice."""
+"""Solves in process with the installed package: try_local.py; with `tables` it also builds a finite-element table, twice."""
 
 import sys
 
@@ -15,7 +15,7 @@ assert contactd_local.__version__ == contactd.__version__
 with contactd.local() as client:
     assert isinstance(client, InProcessClient)
     solution = client.solve(grid=Grid.centred(40, 40, 2.4, 2.4), upper=RUBBER, gap=Paraboloid(50, 50), approach=0.02)
-    # Hertz: Fn = 4/3 E* sqrt(R) delta^(3/2), with E* = G/(1 - nu) of two like bodies.
+    # Hertz: Fn = 4/3 E* sqrt(R) delta^(3/2), with E* = G/(1 - nu) of two equal bodies.
     assert abs(solution.Fn / (4 / 3 * 200 / (1 - 0.42) * 50**0.5 * 0.02**1.5) - 1) < 0.01
     if "tables" in sys.argv:
         tables = [client.get_ic(STEEL, GRID, FemIcs(accuracy=1e-3))]

@@ -1,5 +1,5 @@
-# Runs inside a bare root, from test_wheels.sh: bash use_wheels.sh. The wheels are in /srv/wheels, what is run in /srv, and
-# everything that is written in /home.
+# Runs inside a bare root, from test_wheels.sh: bash use_wheels.sh. The wheels are in /srv/wheels, the tests in /srv,
+# and all writable files in /home.
 set -euo pipefail
 export PYTHONDONTWRITEBYTECODE=1 PIP_NO_CACHE_DIR=1 PIP_NO_WARN_SCRIPT_LOCATION=1
 here=/srv/packaging/wheels

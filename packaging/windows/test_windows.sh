@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# packaging/windows/test_windows.sh BUILD CASES MACHINE: runs the programs of tests/platforms of BUILD/lib under Wine, and compares their
-# lines with those of Linux, which are in CASES/linux. The wheels of BUILD/wheels are installed and used with the Python of MACHINE.
+# packaging/windows/test_windows.sh BUILD CASES MACHINE: runs the programs of tests/platforms in BUILD/lib under Wine,
+# and compares their output with that of Linux in CASES/linux. The wheels of BUILD/wheels are installed and used with
+# the Python of MACHINE.
 set -euo pipefail
 
 repository=$(dirname "$(dirname "$(dirname "$(readlink -f "$0")")")")
@@ -19,13 +20,13 @@ for dll in "$build"/lib/*.dll "$build"/lib/{fmu/*.dll,python/*.pyd}; do
     [ -z "$asked" ] || { say "$(basename "$dll") asks for $asked, which Windows has not"; exit 1; }
 done
 
-# The store that Linux has filled, at a path of blanks and umlauts.
+# The store filled by Linux, at a path with blanks and umlauts.
 rm -rf "$cases/windows"
 mkdir -p "$cases/windows"
 cp -r "$cases/linux/Tafeln für Räder" "$cases/linux/cases of "* "$cases/windows/"
 python3 "$cases_of" run "$build/lib" "$cases/fmus" "$build/lib/fmu/contactd_fmu.dll" "$cases/windows" /usr/lib/wine/wine64
 
-# By pip's own rules for a Windows: the wheel's name and metadata say where it runs.
+# By pip's rules for Windows, name and metadata of the wheel state where it runs.
 site=$scratch/site
 cp -r "$machine/site" "$site"
 python3 -m venv "$scratch/venv"

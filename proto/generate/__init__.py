@@ -1,1 +1,1 @@
-"""What follows from the fields that proto/schema declares is written by `./dev generate`, and kept in git."""
+"""Generates the code that follows from the fields declared in proto/schema. `./dev generate` writes it; git keeps it."""

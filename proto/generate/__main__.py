@@ -1,4 +1,4 @@
-"""./dev generate: writes what follows from proto/schema; with --check only says what differs.
+"""./dev generate: writes the files that follow from proto/schema; --check only lists those that differ.
 
     python3 -m generate [--check]      in proto
 """
@@ -14,7 +14,7 @@ from .declarations import ROOT, Declarations
 
 
 def differing() -> dict[Path, str | None]:
-    """The files whose text in the tree is another one than the generated; None where there should be no file."""
+    """Returns the generated text of each file that differs from the tree, or None for a file that should not exist."""
     declarations = Declarations()
     generated = {
         **cpp.cpp_files(declarations),

@@ -1,4 +1,4 @@
-"""contactd/paths.h: the paths and keywords of the C interface as constants, so that a compiler finds a wrong one."""
+"""Writes contactd/paths.h: paths and keywords of the C interface as constants, so that a compiler finds a wrong one."""
 
 from __future__ import annotations
 
@@ -34,11 +34,11 @@ TITLED = {
     "inputs of a wheel": INPUTS,
     "results of a wheel": RESULTS,
 }
-#: Forms of their own on the wire of which contactd.h has the fields all the same.
+#: Objects with a form of their own on the wire whose fields contactd.h nevertheless has.
 WITH_FIELDS = re.compile(r"(setup\.)?bodies\b|ics\b|columns\.frames|friction\.(rolling\.)?force|motion\b")
-#: They have the fields of "ics", and evidence those of ic.get.
+#: Fields below these have no constants: they repeat the fields of "ics" or the evidence of ic.get.
 NOT_BELOW = re.compile(r"bodies\.\w+\.ics|ics\.\w+\.evidence")
-#: The length of a list, which has a path; and what other functions say: sections get the points of a file.
+#: Fields without a constant: "contacts" is the length of a list, and other functions serve the rest.
 NO_FIELDS = {"contacts", "fields", "initial", "wheelrail", "ics.section.profile_section.profile.file"}
 _LONGEST = 120  #: characters of a line
 
@@ -74,12 +74,12 @@ def c_files(declarations: Declarations) -> dict[Path, str]:
 
 
 def _fields(declarations: Declarations, schema: Schema, above: str) -> Iterator[tuple[str, Schema]]:
-    """What contactd.h has below a schema, each before what is below it."""
+    """Yields the fields of contactd.h below a schema, each before its own fields."""
     for name, given in schema.get("properties", {}).items():
         field, path = declarations.resolved(given), above + name
         if "x-partial" in field:  # the struct has all fields
             field = declarations.schemas[field["x-cpp"]]
-        if "else" in field and "$ref" in field["else"]:  # coefficients that no table gives
+        if "else" in field and "$ref" in field["else"]:  # coefficients other than a table
             field = declarations.resolved(field["else"])
         is_beside_struct = "x-derived" in field and "." in path
         if is_beside_struct or path in NO_FIELDS or not _has_path(declarations, field, path):
@@ -109,12 +109,13 @@ def _path(path: str, field: Schema) -> str:
     unit = f" /* {field['x-unit']} */" if "x-unit" in field else ""
     name = path.removesuffix("[%d]") + "_at" * path.endswith("[%d]")
     line = f'#define CONTACTD_PATH_{_upper(name.replace("[%d]", ""))} "{path}"'
-    # A unit of two words that does not fit, or any that just does, is broken by clang-format, and broken again the next time.
+    # The unit is omitted where clang-format would break the line and break it again in the next run: at the limit of a
+    # line, and for units of two words beyond it.
     length = len(line + unit)
     return line if length in (_LONGEST - 1, _LONGEST) or (" " in field.get("x-unit", "") and length >= _LONGEST) else line + unit
 
 
 def _upper(name: str) -> str:
-    """Returns the name in capitals; a capital letter that is another field's small one says so."""
+    """Returns the name in capitals; CAPITAL_ marks a capital letter that differs from another field only in case."""
     name = re.sub(r"\b([A-Z])_", r"capital_\1_", name)
     return re.sub(r"(?<=[a-z])(?=[A-Z][a-z])", "_", name).replace(".", "_").replace("::", "_").upper()

@@ -1,4 +1,4 @@
-"""Lists of fields and keywords in C++: a header and a source for each header of core whose types are declared."""
+"""Generates lists of fields and keywords in C++: a header and a source for each header of core that declares types."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ INCLUDE = ROOT / "core" / "include" / "contactd"
 GENERATED = ROOT / "core" / "types" / "generated"
 HEADERS = GENERATED / "include" / "contactd" / "fields"
 NOTE = "// Written by ./dev generate from proto/schema: edit it there.\n"
-#: Words that C++ reserves, and the enumerators for them.
+#: Reserved words of C++, and the enumerators used in their place.
 RESERVED = {"auto": "automatic"}
 
 
 def cpp_files(declarations: Declarations) -> dict[Path, str]:
-    """The text of each file."""
+    """Returns the text of each file."""
     homes = _homes()
     by_header: dict[str, list[Struct | Enum]] = {}
     for declared in [*declarations.enums.values(), *declarations.structs.values()]:
@@ -43,7 +43,7 @@ def _home(name: str, homes: dict[str, str]) -> str:
 
 
 def _homes() -> dict[str, str]:
-    """The header of each struct and enum of core."""
+    """Returns the header of each struct and enum of core."""
     homes: dict[str, str] = {}
     for path in sorted(INCLUDE.glob("*.hpp")):
         for name in re.findall(r"^(?:struct|enum class|using) (\w+)(?: : [\w:, ]+)?(?: \{|;| =)", path.read_text(), re.MULTILINE):
@@ -72,7 +72,7 @@ def _is_view(struct: Struct) -> bool:
 
 
 def _owners(struct: Struct) -> list[tuple[str, str]]:
-    """The structs that have the fields, and the types that their lists go by."""
+    """Returns the structs that own the fields, each with the type under which its list is found."""
     if not _is_view(struct):
         return [(struct.name, struct.name)]
     return [(owner, f"{struct.name}<{owner}>") for owner in struct.owners]
@@ -115,7 +115,7 @@ def _field(owner: str, struct: Struct, field: Field, structs: dict[str, Struct])
 
 
 def _steps(owner: str, field: Field) -> list[str]:
-    """The way to the field's member, as arguments of templates."""
+    """Returns the path to the field's member, as template arguments."""
     steps, at = [], owner
     for step in (field.at or field.name).split("/"):
         if step.startswith("<"):
@@ -145,7 +145,7 @@ def _notes(field: Field) -> list[str]:
 
 
 def number_text(value: float) -> str:
-    """In the fewest digits that read back to it."""
+    """Returns the number with the fewest digits that read back as the same value."""
     short = f"{value:.6g}"
     return short if float(short) == value else repr(value)
 

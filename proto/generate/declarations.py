@@ -1,40 +1,41 @@
 """The declarations of proto/schema: structs with their fields, and enums with their keywords.
 
-A schema that stands for a type of C++ names it in `x-cpp`: an object a struct, a list of words an enum. What else is
-named there has a form of its own on the wire, and so has an object with fields of which none is named.
+A schema of a C++ type gives the name of the type in `x-cpp`: a struct for an object, an enum for a list of words. Other types
+with a name have a special form in messages, and so do objects none of whose fields has a name in C++.
 
-`x-unit`      of a number
-`x-parity`    odd: the mirror image of a wheel turns its sign
-`x-fmu`       what a number is in FMUs: parameter, input or output
-`x-derived`   a field that follows from others, and is no member of the struct
-`x-cpp-only`  members of the struct that are no fields
-`x-cpp-at`    the way to a field's member where that is not the member of its name: members, of other structs as
-              Struct::name, and <Type> for an alternative of a variant, with slashes; "name/.." for an object whose fields are members of the struct
-              itself, and which is there while the optional member `name` is
-`x-cpp-items` of a list of so many numbers, the names of the struct's members
-`x-cpp-list`  of an array, that C++ has it as a list of structs of numbers
-`x-cpp-none`  the value of a number's member that the wire leaves out: 0 or infinity
-`x-cpp-owner` the structs that have an object's fields, where it is not a struct of its own; x-cpp names a view, then
-`x-partial`   an object that has some fields only of the struct that it names
-`x-python`    a field in Python, where that is not plain:
+`x-unit`      unit of a number
+`x-parity`    odd: the sign of the value is reversed in the mirror image of a wheel
+`x-fmu`       the number's role in FMUs: parameter, input or output
+`x-derived`   a field that follows from others, and is not a member of the struct
+`x-cpp-only`  members of the struct that are not fields
+`x-cpp-at`    the path to the field's member, if its name differs from that of the field: members, members of other structs as
+              Struct::name, and <Type> for an alternative of a variant, separated by slashes; "name/.." for an object whose
+              fields are members of the struct itself, and which is present if the optional member `name` has a value
+`x-cpp-items` for a list of a fixed number of values: the names of the struct's members
+`x-cpp-list`  for an array: in C++ it is a list of structs of numbers
+`x-cpp-none`  the value of a number's member that is omitted in messages: 0 or infinity
+`x-cpp-owner` the structs that contain an object's fields, if the object is not a struct; x-cpp is then the name of a view
+`x-partial`   an object with a selection of the fields of the given struct
+`x-python`    a field in Python, if it is not a plain field:
                type      its type;  default: its default, both as code
-               says      its sentence
-               keys      an object that is a tuple there: the names of its parts
-               array     the name that an array has in the object in whose place it stands
-               flat      an object whose fields are those of the class around it;  spread: these, too
-               required  whether it must be there, where it differs
-`x-python-class` an object, or a list of words, in Python. An object that is several classes has a list of these:
-               name, description  of the class, where they are not that of C++ and that of the object; a list of paragraphs
-               bases, dataclass, keywords, examples: its bases, the arguments of the decorator, the name of the typed keyword
-                         arguments, and lines of code that its docstring shows
-               public    refusals end at the line that makes a value;  typed_dict: a dictionary instead of a dataclass
-               fields, without  those of the object that it has, or has not
-               of_fields x-python of fields that are otherwise in this class
-               order, positional  the fields that come first, and those that are given by place in a class of keywords
-               adds      fields that the client fills in, with their types and sentences
-               beside    fields that the class has and that stand beside the object on the wire, likewise
-               sends_defaults  fields that are left out have the defaults of the schema, not None
-               fixed     a field of the wire and the value that it always has;  key: the object in which all others are
+               says      its description
+               keys      an object that is a tuple in Python: the names of its items
+               array     the name of the array that replaces the object
+               flat      an object whose fields are fields of the class;  spread: so are the fields of these objects
+               required  whether it is required, if this differs from the schema
+`x-python-class` an object, or a list of words, in Python. An object of several classes has a list of these:
+               name, description  of the class, if they differ from those in C++ and of the object; a list of paragraphs
+               bases, dataclass, keywords, examples: the base classes, the arguments of the decorator, the name of the type of
+                         the keyword arguments, and lines of code for the docstring
+               public    the traceback of an error ends at the line that creates a value
+               typed_dict  a dictionary instead of a dataclass
+               fields, without  the fields of the object to include, or to exclude
+               of_fields x-python of fields that differs in this class
+               order, positional  the first fields, and the positional arguments of a class with keyword arguments
+               adds      fields that the client sets, with their types and descriptions
+               beside    the same, for fields that are next to the object in messages
+               sends_defaults  omitted fields have the defaults of the schema, not None
+               fixed     a field of messages with a constant value;  key: the object that contains all other fields
 """
 
 from __future__ import annotations
@@ -53,7 +54,7 @@ _BOUNDS = {"minimum": ("least", False), "exclusiveMinimum": ("least", True), "ma
 
 
 class DeclarationError(Exception):
-    """A declaration that does not go together with another one, or is not understood."""
+    """A declaration that contradicts another one or is not understood."""
 
 
 @dataclass(frozen=True)
@@ -66,8 +67,8 @@ class Bounds:
 
 @dataclass(frozen=True)
 class Field:
-    """A member of a struct. `type` is the struct or enum that it is made of, as `x-cpp` names it, or None; `at` the way
-    to the member, where that is not the one of its name."""
+    """A member of a struct. `type` is the struct or enum of its value, as `x-cpp` names it, or None. `at` is the path
+    to the member if that differs from the member with the field's name."""
 
     name: str
     type: str | None
@@ -82,8 +83,8 @@ class Field:
 
 @dataclass(frozen=True)
 class Struct:
-    """`owners` are the structs that have the fields, where these are not a struct of their own. The wire has a tuple as
-    the list of its fields."""
+    """A struct and its fields. `owners` are the structs that own the fields if the fields form no struct of their own.
+    A tuple is a list on the wire."""
 
     name: str
     fields: tuple[Field, ...]
@@ -93,7 +94,7 @@ class Struct:
 
     @property
     def is_whole(self) -> bool:
-        """Whether every member of a struct of this name is a field, or named as none."""
+        """Returns whether every member of the struct is either a field or listed in `other_members`."""
         return not self.owners and all(field.at is None for field in self.fields)
 
 
@@ -104,20 +105,21 @@ class Enum:
 
 
 class Declarations:
-    """All that the documents of a folder declare, by the names of the types."""
+    """All declarations in the documents of a folder, by the names of the types."""
 
     def __init__(self, folder: Path = SCHEMAS) -> None:
         self._documents: dict[str, Schema] = {path.name: json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))}
         self.structs: dict[str, Struct] = {}
         self.enums: dict[str, Enum] = {}
-        self.schemas: dict[str, Schema] = {}  # of the structs, one for each
+        self.schemas: dict[str, Schema] = {}  # one schema for each struct
         for document in self._documents.values():
             for schema in _all_schemas(document):
                 if "x-cpp" in schema and "x-partial" not in schema:
                     self._declare(self.resolved(schema))
 
     def resolved(self, schema: Schema) -> Schema:
-        """What a reference leads to, with what stands beside it, without what is so at one place only."""
+        """Returns the target of a reference merged with the keys beside the reference, which take precedence. Keys that
+        apply to one place only are omitted."""
         if "$ref" not in schema:
             return schema
         file, _, pointer = schema["$ref"].partition("#")
@@ -172,7 +174,7 @@ class Declarations:
 
 
 def is_custom(schema: Schema) -> bool:
-    """Whether a value has another form on the wire than that of a plain one, or of the fields of a struct."""
+    """Returns whether the value on the wire is neither a plain value nor an object with the fields of a struct."""
     if "x-cpp" in schema:
         return not {"enum", "const", "x-cpp-items"} & set(schema) and not _has_fields(schema)
     if "enum" in schema:
@@ -181,7 +183,7 @@ def is_custom(schema: Schema) -> bool:
 
 
 def _has_fields(schema: Schema) -> bool:
-    """Returns whether it is an object of fields; that of an array refers to a frame."""
+    """Returns whether the schema is an object with fields; the object of an array only refers to a frame."""
     return "properties" in schema and "$array" not in schema["properties"]
 
 

@@ -1,7 +1,8 @@
-"""Values of Python: a module of dataclasses, keywords and typed keyword arguments for each part of the schemas.
+"""Generates the values of Python: for each part of the schemas, a module of dataclasses, keywords and typed keyword
+arguments.
 
-What a module lists is declared in it, and all that its fields are made of, unless that is written by hand or belongs to
-another module. Methods of a class are those of a base that is written by hand.
+A module declares the classes that it lists and the classes that these use, unless they are written by hand or belong to
+another module. A class inherits its methods from a base that is written by hand.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ GENERATED = VALUES / "generated"
 NOTE = "Written by ./dev generate from proto/schema: edit it there."
 PACKAGE = f'"""Values whose fields are those of the schemas.\n\n{NOTE}\n"""\n'
 WIDTH = 120
-#: Names of other modules that generated code uses, and what imports them.
+#: Names from other modules that generated code uses, and their imports.
 NAMES = {
     "Sequence": "collections.abc", "Mapping": "collections.abc", "dataclass": "dataclasses", "field": "dataclasses",
     "replace": "dataclasses", "KW_ONLY": "dataclasses", "TYPE_CHECKING": "typing", "Any": "typing", "Literal": "typing", "TypedDict": "typing",
@@ -36,7 +37,7 @@ REPLACE = '''
 
 
 def python_files(declarations: Declarations) -> dict[Path, str]:
-    """The text of each file."""
+    """Returns the text of each file."""
     homes = {**_written_by_hand(), **NAMES, "instead": "params"}
     mine = {module.name: Collected(declarations, module) for module in MODULES}
     roots = {name: module for module, collected in mine.items() for name in collected.roots}
@@ -51,7 +52,7 @@ def python_files(declarations: Declarations) -> dict[Path, str]:
 
 
 def _written_by_hand() -> dict[str, str]:
-    """The module of each class and alias that is written by hand."""
+    """Returns the module of each class and alias that is written by hand."""
     homes: dict[str, str] = {}
     for path in sorted(set(VALUES.rglob("*.py")) - set(GENERATED.rglob("*.py"))):
         text = path.read_text()
@@ -95,7 +96,7 @@ def _class(one: Class) -> str:
 
 
 def _replace(one: Class, keywords: str) -> str:
-    """The method; of fields of which the schema wants one, each takes the place of the others."""
+    """Returns the method `replace`. If the schema requires exactly one of several fields, each replaces the others."""
     either = [part["required"][0] for part in one.schema.get("oneOf", ())]
     says = f"; {' and '.join(either)} take the place of each other" if either else ""
     changes = f"instead(changes, {', '.join(map(literal, either))})" if either else "changes"
@@ -103,7 +104,7 @@ def _replace(one: Class, keywords: str) -> str:
 
 
 def _docstring(one: Class, options: Schema) -> str:
-    """Returns the docstring of a class, without what the schema says of leaving its object out."""
+    """Returns the docstring of a class, without the schema's remarks on omitting its object."""
     says = options.get("description", one.schema["description"])
     first, *others = says if isinstance(says, list) else [re.sub(r"[.;] [Ll]eft out:? [^.;]*", "", says)]
     paragraphs = [f'    """{_filled(in_python(first), 7, 4)}', *("    " + _filled(other, 4, 4) for other in others)]
@@ -132,7 +133,7 @@ def _keywords(one: Class, name: str, says: str) -> str:
 
 
 def _filled(text: str, first: int, others: int) -> str:
-    """In lines; `first` characters stand before the first of them, `others` spaces before the others."""
+    """Wraps a text into lines. The first line starts at column `first`, and the others are indented by `others` spaces."""
     filled = textwrap.fill(
         text, WIDTH, initial_indent=" " * first, subsequent_indent=" " * others, break_long_words=False, break_on_hyphens=False
     )
@@ -149,7 +150,7 @@ def _all(names: list[str]) -> str:
 
 
 def _imports(module: str, body: str, homes: dict[str, str], own: set[str]) -> str:
-    """Returns the imports of every name in the code, outside of docstrings, that another module has."""
+    """Returns the imports for every name from another module that the code uses outside docstrings."""
     code = re.sub(r'""".*?"""|"[^"\n]*"', "", body, flags=re.DOTALL)
     used = {name: homes[name] for name in re.findall(r"\b[A-Za-z]\w*\b", code) if name in homes and name not in own}
     plain = sorted(home for home in used.values() if home.startswith("import "))

@@ -1,4 +1,4 @@
-"""Classes and lists of words that a module of Python has, as schemas declare them: fields with types, defaults and sentences."""
+"""Collects the classes and keywords of a module of Python from the schemas: fields with types, defaults and sentences."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ JSON_TYPES = {"number": "float", "integer": "int", "boolean": "bool", "string": 
 
 @dataclass(frozen=True)
 class Member:
-    """A field of a dataclass; `default` is code, and None of a field that must be given."""
+    """A field of a dataclass. `default` is code, or None for a required field."""
 
     name: str
     type: str
@@ -41,7 +41,7 @@ class Class:
 
 
 class Collected:
-    """Classes and keywords of a module, each behind those that it is made of."""
+    """The classes and keywords of a module, each after those that it uses."""
 
     def __init__(self, declarations: Declarations, module: Module) -> None:
         self._resolved = declarations.resolved
@@ -52,7 +52,7 @@ class Collected:
         self.words: dict[str, tuple[str, ...]] = {}
 
     def _root(self, root: str) -> Schema:
-        """The schema at a pointer, behind which a schema that is several classes has the name of one."""
+        """Returns the schema at a pointer. For a schema with several classes, the name of one follows the pointer."""
         pointer, _, name = root.partition(" ")
         schema = self._resolved({"$ref": pointer})
         if not name:
@@ -86,7 +86,7 @@ class Collected:
         self.classes[name] = Class(name, schema, listed)
 
     def _members(self, schema: Schema, options: Schema, within: str = "", is_there: bool = True) -> Iterator[Member]:
-        """The fields; where it is `within` another one's, those of a field of the wire that is none here."""
+        """Yields the fields. `within` is the object of the wire that contains them and is not a field of the class."""
         properties = schema.get("properties", {})
         chosen = properties if within else options.get("fields", properties)
         for name in chosen:
@@ -125,7 +125,7 @@ class Collected:
         return repr(float(value)) if kind == "float" else literal(value)
 
     def _type_of_value(self, schema: Schema) -> str:
-        """The type of a value; what it declares is collected."""
+        """Returns the type of a value, and collects the classes that it uses."""
         if "type" in schema.get("x-python", {}):
             return str(schema["x-python"]["type"])
         if "enum" in schema:
@@ -151,7 +151,7 @@ class Collected:
 
 
 def _name(schema: Schema) -> str:
-    """What a class or a list of words is called: as in C++, or as the schema says."""
+    """Returns the name of a class or of a list of keywords: that of C++, unless the schema gives another one."""
     own = schema.get("x-python-class", {})
     if not {"x-cpp", "x-python-class"} & schema.keys():
         raise DeclarationError(f"an object lacks x-python-class, the class that it is in Python: {schema.get('description')}")
@@ -170,14 +170,14 @@ def literal(value: Any) -> str:
 
 
 def in_code(value: Any) -> str:
-    """A value of JSON, lists as tuples, in Python's words."""
+    """Returns a JSON value as Python code, with lists as tuples."""
     if isinstance(value, dict):
         return "{" + ", ".join(f"{literal(key)}: {in_code(item)}" for key, item in value.items()) + "}"
     return f"({', '.join(map(literal, value))})" if isinstance(value, list) else literal(value)
 
 
 def _sentence(schema: Schema, default: str | None, says_range: bool) -> str:
-    """The description, with its unit and its range, and what the daemon takes in place of None."""
+    """Returns the description with its unit, its range and, if None is the default in Python, the daemon's default."""
     text = in_python(schema["description"])
     unit, bounds = schema.get("x-unit"), _range(schema) if says_range else ""
     if unit or bounds:
@@ -194,7 +194,7 @@ def _sentence(schema: Schema, default: str | None, says_range: bool) -> str:
 
 
 def _range(schema: Schema) -> str:
-    """Bounds that tell something: others keep out what nobody means, or a number of things from being negative."""
+    """Returns bounds worth stating. Others only exclude absurd values, or exclude negative counts."""
     found = {key: schema[key] for key in BOUNDS if abs(schema.get(key, MEANT_BY_NOBODY)) < MEANT_BY_NOBODY}
     if {*found} == {"minimum", "maximum"}:
         return f"{found['minimum']:g} to {found['maximum']:g}"

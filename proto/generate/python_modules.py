@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class Module:
-    """`name` is its path; `roots` are what it declares, with all that this is made of: pointers, and behind a space the class
-    where a schema is several. `aliases` are other names of types. What `is_asked` says its ranges."""
+    """A module of values. `name` is its path. `roots` are pointers to the schemas that it declares, with the classes
+    that these use; for a schema with several classes, the name of the class follows a space. `aliases` are additional
+    names of types. If `is_asked` is true, the module belongs to requests, and its docstrings state ranges."""
 
     name: str
     says: str

@@ -1,4 +1,4 @@
-"""Well-formed results, as a daemon would send them, for the fake one."""
+"""Makes valid results, as a daemon would send them, for the fake one."""
 
 import numpy as np
 
@@ -33,7 +33,7 @@ def array(frame, shape, dtype="<f8"):
 
 
 def table(ny, nx):
-    """Result and frames of ic.get for a closed-form table whose entries count 0, 1, 2, ..."""
+    """Returns result and frames of ic.get for a closed-form table whose entries count 0, 1, 2, ..."""
     values = np.arange(9.0 * ny * nx)
     spec = {
         "material": {"G": 1, "nu": 0},
@@ -46,7 +46,7 @@ def table(ny, nx):
 
 
 def solution(ny, nx):
-    """Result and frames of contact.solve."""
+    """Returns result and frames of contact.solve."""
     solver = {"iterations": 7, "residual": 1e-7, "converged": True, "seconds": 0.1}
     use = {"origin": "closed_form", "key": "", "evidence": {"source": "analytic"}}
     result = {
@@ -67,7 +67,7 @@ def solution(ny, nx):
 
 
 def solutions(*entries):
-    """Result and frames of contact.solve_many: each entry the shape of a solution, or a status."""
+    """Returns result and frames of contact.solve_many: each entry is the shape of a solution, or a status."""
     listed, frames = [], []
     for entry in entries:
         if isinstance(entry, dict):
@@ -82,7 +82,7 @@ def solutions(*entries):
 
 
 def stresses(*shape):
-    """Result and frames of contact.subsurface; the components are 0 to 5 everywhere, von Mises' stress is 6."""
+    """Returns result and frames of contact.subsurface. The components are 0 to 5 everywhere, and von Mises' stress is 6."""
     names = ["xx", "yy", "zz", "xy", "xz", "yz"]
     result = {
         "shape": list(shape),

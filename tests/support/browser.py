@@ -1,4 +1,4 @@
-"""A headless Chromium, driven through a pipe by its DevTools protocol: no port, and nothing beside Debian's package."""
+"""Drives a headless Chromium through a pipe by its DevTools protocol: no port, and only Debian's package."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ _OPTIONS = ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-us
 
 
 class Browser:
-    """One page, and what went wrong in it (`problems`)."""
+    """One page, and the errors in it (`problems`)."""
 
     def __init__(self, folder: Path) -> None:
-        """With its profile in `folder`."""
+        """Starts the browser with its profile in `folder`."""
         assert PROGRAM
         self.problems: list[str] = []
         inbox, to_browser = os.pipe()
         from_browser, outbox = os.pipe()
-        # It reads descriptor 3 and writes 4.
+        # Chromium reads descriptor 3 and writes descriptor 4.
         redirect = f'exec "$@" 3<&{inbox} 4>&{outbox}'
         with (folder / "chromium.log").open("wb") as log:
             self._process = subprocess.Popen(
@@ -50,7 +50,7 @@ class Browser:
         self, kind: type[BaseException] | None, value: BaseException | None, traceback: TracebackType | None
     ) -> None:
         try:
-            self._to.close()  # it ends when nobody drives it any more
+            self._to.close()  # the browser ends when its pipe closes
             self._process.wait(20)
         finally:
             self._from.close()
@@ -61,7 +61,7 @@ class Browser:
             self._process.wait()
 
     def open(self, address: str) -> None:
-        """In place of what was shown before."""
+        """Opens a page in place of the current one."""
         if self._session is None:
             target = self.send("Target.createTarget", url="about:blank")["targetId"]
             self._session = self.send("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
@@ -69,7 +69,7 @@ class Browser:
         self.send("Page.navigate", url=address)
 
     def send(self, method: str, **params: Any) -> dict[str, Any]:
-        """The result of a command; what the browser tells meanwhile is only looked at for problems."""
+        """Returns the result of a command. Other messages of the browser are only checked for errors."""
         self._count += 1
         message = {"id": self._count, "method": method, "params": params}
         if self._session is not None:
@@ -92,26 +92,26 @@ class Browser:
         return event
 
     def evaluate(self, script: str) -> Any:
-        """The value of an expression of JavaScript in the page."""
+        """Returns the value of a JavaScript expression in the page."""
         reply = self.send("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)
         assert "exceptionDetails" not in reply, reply
         return reply["result"].get("value")
 
     def text(self, selector: str = "body") -> str:
-        """What is to be read there; "" where nothing is."""
+        """Returns the visible text; "" if there is none."""
         found: str = self.evaluate(f"document.querySelector({json.dumps(selector)})?.innerText ?? ''")
         return found
 
     def wait_for(self, words: str, selector: str = "body") -> None:
-        """Until they are to be read there."""
+        """Waits until the words are visible."""
         eventually(lambda: words in self.text(selector))
 
     def click(self, selector: str, words: str = "") -> None:
-        """The first that has the words, once it is there."""
+        """Clicks the first element that contains the words, as soon as it exists."""
         found = f"[...document.querySelectorAll({json.dumps(selector)})].find(e => e.innerText.includes({json.dumps(words)}))"
         eventually(lambda: self.evaluate(f"!!{found}"))
         self.evaluate(f"{found}.click()")
 
     def resize(self, width: int, height: int) -> None:
-        """What the page takes for its window."""
+        """Sets the window size that the page sees."""
         self.send("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)

@@ -1,4 +1,4 @@
-"""The C interface by ctypes, in process: what the FMUs must answer to the last bit."""
+"""Calls the C interface by ctypes, in process: FMUs must return the same values to the last bit."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ def _handle(new: str, free: str) -> Iterator[Call]:
     assert getattr(library, new)(connection, ctypes.byref(handle)) == 0
 
     def call(name: str, *inputs: float | bytes, out: str = "") -> list[float]:
-        """`out`: d for a double, i for an integer; or [n] for n doubles in an array, whose number the call is told."""
+        """Calls a function with outputs. `out` is d for a double, i for an integer, or [n] for an array of n doubles,
+        whose length is passed."""
         of = {"d": ctypes.c_double, "i": ctypes.c_int32}
         count = int(out[1:-1]) if out.startswith("[") else 0
         places = [(ctypes.c_double * count)()] if count else [of[letter]() for letter in out]
@@ -39,7 +40,7 @@ def _handle(new: str, free: str) -> Iterator[Call]:
 
 
 class Fields:
-    """A contact or a wheel, whose fields have paths."""
+    """A contact or a wheel with fields by their paths."""
 
     def __init__(self, call: Call) -> None:
         self._call = call

@@ -1,4 +1,4 @@
-"""Programs that call the C interface, as the tests compile and run them."""
+"""Compiles and runs programs that call the C interface."""
 
 from __future__ import annotations
 

@@ -55,8 +55,8 @@ LineContact line_contact(const MaterialPair& bodies, double R, double force) {
 
 namespace {
 
-// An elliptic traction q0 sqrt(1 - x^2/a^2) stretches the surface by du/dx = -(1-nu)/G q0 x/a (Johnson, section 2.5):
-// the creepage of full slip's onset, mu p0 times the sum of both bodies' (1-nu)/G.
+// An elliptic traction q0 sqrt(1 - x^2/a^2) stretches the surface by du/dx = -(1-nu)/G q0 x/a (Johnson, section 2.5).
+// The creepage at the onset of full slip is mu p0 times the sum of both bodies' (1-nu)/G.
 double full_creepage(const MaterialPair& bodies, const LineContact& contact, double mu) {
     return 2 * mu * contact.pmax * bodies.normal_compliance();
 }

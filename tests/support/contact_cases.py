@@ -51,13 +51,14 @@ _COULOMB = ({"FSTAT": 0.3, "FKIN": 0.3},)
 
 
 def basic_case(*, friction: Any = _COULOMB, number: int = 1, line: int = 1, **changes: Any) -> Case:
-    """Steady rolling of an ellipse of 6 by 4 mm under 50 kN; digits have capital letters up to two, values their names."""
+    """Returns steady rolling of an ellipse of 6 by 4 mm under 50 kN. Digits have names of one or two capital letters;
+    values have their own names."""
     values = {**_LIMITS, **_STEEL, **_IN_FORCE, **_ELLIPSE, **_ROLLING}
     return _case(3, dict(_BASIC), values, {"FN": 5e4}, friction, number, line, changes)
 
 
 def rail_case(*, friction: Any = _COULOMB, number: int = 1, line: int = 1, **changes: Any) -> Case:
-    """A right wheel in the middle of the track, rolling freely under 10 kN."""
+    """Returns a right wheel in the middle of the track, rolling freely under 10 kN."""
     digits = {**_BASIC, "C1": 1, "Z": 3, "E": 3}
     values = {**_LIMITS, **_STEEL, **_IN_FORCE, **_TRACK, **_RAIL, **_WHEELSET, **_GRID, "NPOT_MAX": 20000}
     return _case(1, digits, values, {"FZ": 1e4, "VPITCH": -4.348}, friction, number, line, changes)

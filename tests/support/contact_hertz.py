@@ -1,4 +1,4 @@
-"""A case of the CONTACT program with a closed form: an elliptic contact in full slip, and what it would print."""
+"""Makes a case of the CONTACT program with a closed form: an elliptic contact in full slip, and its printed results."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ INPUT = f"""3 MODULE
 
 
 def printed(Fx: float = -MU * FN) -> str:
-    """The .out file, by Hertz and Coulomb."""
+    """Returns the text of the .out file, from the formulas of Hertz and Coulomb."""
     approach = ellipse_of_axes(AA, BB, Load(FN, True, compliance_of((0.28, 0.28), (82000.0, 82000.0)))).approach
     pmax = 1.5 * FN / (pi * AA * BB)
     return f""" Case     1

@@ -1,5 +1,5 @@
-"""What the CONTACT program prints of what it has read (.ref_out): its formats of numbers, and the rows of numbers that echo
-values of an input file, each with the names of these values."""
+"""Reproduces the input that the CONTACT program prints (.ref_out): its number formats, and the rows of numbers that
+repeat values of an input file, each with the names of these values."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ Format = Callable[[float], str]
 
 
 def g(value: float) -> str:
-    """G12.4 of Fortran, without blanks around it."""
+    """Returns the number in Fortran's G12.4, without blanks around it."""
     if value == 0:
         return "0.000"
     power = math.floor(math.log10(abs(value))) + 1
@@ -28,7 +28,7 @@ def g(value: float) -> str:
 
 
 def gs(figures: int, significant: int) -> Format:
-    """The program's own format."""
+    """Returns the number in the program's own format."""
 
     def text(value: float) -> str:
         if abs(value) < 1e-20:
@@ -50,7 +50,7 @@ def whole(value: float) -> str:
 
 
 s = gs(4, 4)
-#: These names are printed and not read.
+#: These names are printed but not read.
 _NOT_READ = (None, g)
 
 
@@ -89,7 +89,7 @@ _LABEL = re.compile(r"[A-Z][A-Z0-9_()/]*$")
 
 
 def printed_cases(text: str) -> Iterator[Printed]:
-    """The cases of a .ref_out file, with what they print before their first patch."""
+    """Yields the cases of a .ref_out file, with the output before their first patch."""
     case: Printed | None = None
     in_patch, profile = False, ""
     lines = text.splitlines()
@@ -132,7 +132,8 @@ def _names(names: str, *formats: Format) -> tuple[tuple[str | None, Format], ...
     return tuple(zip(listed, formats if len(formats) > 1 else formats * len(listed), strict=True))
 
 
-#: Labels of a row, and of each number the name of the value in an input file with its format. Of both modules, and of one.
+#: Labels of a row, and for each number the name of the value in an input file with its format. First those of both
+#: modules, then those of one.
 _ROWS: dict[str, tuple[tuple[str | None, Format], ...]] = {
     "POISS(1) POISS(2) GG(1) GG(2)": _names("POISS1 POISS2 GG1 GG2", g),
     "POISS(R) POISS(W) GG(R) GG(W)": _names("POISS1 POISS2 GG1 GG2", g, g, s, s),
@@ -172,7 +173,7 @@ _PROFILE_ROWS = {
 
 @dataclass(frozen=True)
 class Echo:
-    """A number as printed, and as the program would print what was read."""
+    """A printed number, and the number that the program would print for the value that was read."""
 
     name: str
     printed: str
@@ -180,7 +181,7 @@ class Echo:
 
 
 def echoes(case: Case, printed: Printed) -> Iterator[Echo]:
-    """All that a case prints of what it has read, beside that. `case` is a contactd.contact_files.Case."""
+    """Yields all printed values of a case beside the values that were read. `case` is a contactd.contact_files.Case."""
     for name, digit in printed.digits.items():
         yield Echo(name, str(digit), str(case.digits.get(name)))
     if printed.maxout is not None:
@@ -211,7 +212,7 @@ def _echoes_of(values: Any, names: Any, words: list[str]) -> Iterator[Echo]:
 
 
 def _echoes_of_sets(sets: Any, row: str, below: list[list[str]]) -> Iterator[Echo]:
-    """Three points stand in the place of rows in the middle of many."""
+    """Three points replace the rows in the middle of many."""
     rows = [words for words in below if words != ["..."]]
     if len(rows) == len(below):
         yield Echo("NVF", str(len(rows)), str(len(sets)))
@@ -221,7 +222,7 @@ def _echoes_of_sets(sets: Any, row: str, below: list[list[str]]) -> Iterator[Ech
 
 
 def _by_case(case: Case, labels: tuple[str, ...]) -> Any:
-    """Rows in which the digits of a case decide what is an echo and what was found."""
+    """In these rows the digits of a case determine which numbers repeat the input and which are results."""
     digit = case.digits
     if labels == ("NU", "G", "AK", "EPS"):
         return (*[_NOT_READ] * 3, ("EPS", g if case.module == 3 else s))
@@ -236,7 +237,7 @@ def _by_case(case: Case, labels: tuple[str, ...]) -> Any:
         motion = (("CKSI" if digit["F"] == 0 else "FX", s), ("FY" if digit["F"] == 2 else "CETA", s), ("CPHI", s))
         if labels[0] == "DT":
             return (_NOT_READ, ("VELOC", s), *motion)
-        # Steady rolling goes on by an element, but for one solver.
+        # Steady rolling advances by an element, except with one solver.
         as_given = (digit["T"] == 2 and digit["M"] not in (2, 3, 4, 5)) or case.values["GAUSEI"] == 2
         return (("CHI", g), ("DQ", g) if as_given else _NOT_READ, ("VELOC", s), *motion)
     return None

@@ -1,10 +1,11 @@
-"""Terms that users of the CONTACT program look for: of its control words, input and output files, guide and C library."""
+"""Lists terms that users of the CONTACT program look for: from its control words, input and output files, guide and C
+library."""
 
 from __future__ import annotations
 
-#: Each is found on a page that has all of its words.
+#: Some page must contain all words of each term.
 CONTACT_TERMS = [
-    # what is solved
+    # kinds of problems
     "potential contact area", "undeformed distance", "penetration", "approach", "normal force", "tangential force", "creepage",
     "spin", "shift", "steady rolling", "transient rolling", "rolling direction", "rolling velocity", "rolling step",
     "rigid slip", "extra rigid slip", "micro-slip", "relative slip", "spin centre", "half-space", "quasi-identical",

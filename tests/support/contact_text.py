@@ -1,4 +1,4 @@
-"""Writes one case of a history as an input file of the CONTACT program that needs no other case."""
+"""Writes one case of a history as an input file of the CONTACT program that requires no earlier case."""
 
 from __future__ import annotations
 
@@ -25,12 +25,13 @@ _HEAT = "BKTEMP{0} HEATCP{0} LAMBDA{0} DENS{0}"
 _DEVIATIONS = "DXWHL DYWHL DZWHL DROLLW DYAWW DPITCHW", "VXWHL VYWHL VZWHL VROLLW VYAWW VPITCHW"
 _ROLLER = 4  #: C1
 _ON_A_LINE = 6
-#: Digits that say which values are read or kept: values in force have them, or nothing that is computed depends on them.
+#: These digits select the values that are read or kept. A case in the text either contains the values in force or does
+#: not depend on them.
 _KEPT = ("P", "I", "S", "V", "L", "D", "C", "Z", "E", "G", "H", "X", "A", "O", "W", "R", "M2")
 
 
 def kept(case: Case, folder: Path) -> dict[str, Any]:
-    """Everything that the text of a case must keep, with files by their names from `folder` on."""
+    """Returns everything that the text of a case must preserve, with files by their names relative to `folder`."""
     digits = {name: digit for name, digit in case.digits.items() if name not in _KEPT}
     idle = set(_idle(case))
     values = {name: value for name, value in case.values.items() if name not in idle}
@@ -40,7 +41,7 @@ def kept(case: Case, folder: Path) -> dict[str, Any]:
 
 
 def _idle(case: Case) -> Iterator[str]:
-    """Values in memory that have no effect on a case."""
+    """Yields values in memory that do not affect the case."""
     digits, values = case.digits, case.values
     for names in {*_BODIES.values()} - {_BODIES.get(digits["M"], "")}:
         yield from set(names.split()) - set(_BODIES.get(digits["M"], "").split())
@@ -71,7 +72,8 @@ def _path(folder: Path, name: Any) -> Path:
 
 
 def text_of(case: Case, folder: Path) -> str:
-    """The text. Profiles and coefficients get their names from `folder` on. P is 2 and I is 0, as of every first case."""
+    """Returns the text. Names of profiles and coefficients are relative to `folder`. P is 2 and I is 0, as in every
+    first case."""
     lines = _OnRails(case, folder).lines() if case.module == 1 else _Basic(case, folder).lines()
     return "".join(f"{' '.join(_word(word) for word in line)}\n" for line in lines)
 
@@ -236,7 +238,7 @@ class _OnRails(_Text):
 
     def profile(self, name: str, of: str) -> Iterator[Line]:
         options = [self.values[of + option] for option in ("MIRRORY", "SCALE", "SMOOTH", "MIRRORZ", "PRFOPT")]
-        yield [self.file(name)]  # the first of the words that go on in the next line
+        yield [self.file(name)]  # the first word of a list that continues on the next line
         yield options
         if options[-1] >= 1:
             yield [self.values[of + option] for option in ("ISMOOTH", "ZIGTHRS", "KINKHIGH", "KINKLOW", "KINKWID")]
@@ -245,7 +247,7 @@ class _OnRails(_Text):
 
 
 def _many(numbers: Iterable[Any]) -> Iterator[Line]:
-    """Many numbers, few on a line."""
+    """Writes many numbers, a few per line."""
     line: list[Any] = []
     for number in numbers:
         line.append(number)

@@ -1,4 +1,4 @@
-"""Real daemons on private endpoints, and what they must not leave behind."""
+"""Starts real daemons on private endpoints, and checks that they leave nothing behind."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ BIN = Path(os.environ.get("CONTACTD_BIN", Path(__file__).parents[2] / "build" / 
 
 
 class CheckedClient(Client):
-    """A client that holds every result and every progress message against its schema."""
+    """A client that validates every result and every progress message against its schema."""
 
     def _exchange(self, request: Request) -> Reply:
         schemas.check(f"{request.method}.params", request.envelope["params"])
@@ -45,7 +45,7 @@ class TestDaemon(LocalDaemon):
 
     @property
     def http(self) -> str:
-        """Where it answers HTTP, when its configuration has `http.address`."""
+        """Returns its HTTP address, if its configuration has `http.address`."""
         found = re.search(r"http://[0-9.]+:\d+", self.log)
         assert found, f"no HTTP in the log:\n{self.log}"
         return found.group()
@@ -54,30 +54,30 @@ class TestDaemon(LocalDaemon):
         return RawClient(self.endpoint) if kind is None else RawClient(self.endpoint, kind)
 
     def tables(self) -> list[Path]:
-        """The files of the store that are tables."""
+        """Returns the files of the store that are tables."""
         return sorted(self.store.glob("*.h5"))
 
     def builders(self) -> list[int]:
-        """Processes that build for this daemon's store, launchers included."""
+        """Returns the processes that build for this daemon's store, including launchers."""
         return processes_with(str(self.store) + "/")
 
     def kill(self) -> None:
-        """SIGKILL, and waits for the end."""
+        """Sends SIGKILL, and waits for the end."""
         self.process.kill()
         self.process.wait()
 
 
 class Daemons:
-    """Starts daemons; afterwards every one must have ended, and the folder must hold nothing but tables and logs."""
+    """Starts daemons. At the end, all must have ended, and the folder must contain only tables and logs."""
 
     def __init__(self) -> None:
-        # Short, because the path of a Unix socket is.
+        # The path is short because those of Unix sockets are limited.
         self.folder = Path(tempfile.mkdtemp(prefix="contactd-test-"))
         self._started: list[TestDaemon] = []
 
     def start(self, name: str = "daemon", *, program: Path = BIN / "contactd", **config: Mapping[str, Any]) -> TestDaemon:
-        """A daemon in the folder `name`; the same name again means the same store."""
-        # What a test leaves running is not waited for at the end, unless the test says so.
+        """Starts a daemon in the folder `name`; a repeated name uses the same store."""
+        # The end does not wait for work that a test leaves running, unless the test requests it.
         config = {"shutdown": {"drain_seconds": 0}, **config}
         daemon = TestDaemon(program, folder=self.folder / name, config=config)
         self._started.append(daemon)
@@ -94,7 +94,7 @@ class Daemons:
             eventually(lambda: not processes_with(str(self.folder)), "processes left behind")
             left = [path for path in self.folder.rglob("*") if path.is_file() or path.is_socket()]
             expected = {"contactd.json", "contactd.log"} | ({"socket"} if -9 in ended else set())
-            suffixes = {".h5"} | ({".lock", ".tmp"} if -9 in ended else set())  # swept when a daemon starts there again
+            suffixes = {".h5"} | ({".lock", ".tmp"} if -9 in ended else set())  # removed when a daemon starts there again
             strange = [
                 p for p in left if p.name not in expected and p.suffix not in suffixes and p.parent.name != "quarantine"
             ]
@@ -104,7 +104,7 @@ class Daemons:
 
 
 def processes_with(text: str) -> list[int]:
-    """Living processes whose command line holds `text`."""
+    """Returns the living processes whose command line contains `text`."""
     found = []
     for entry in Path("/proc").iterdir():
         if not entry.name.isdigit() or int(entry.name) == os.getpid():
@@ -118,7 +118,7 @@ def processes_with(text: str) -> list[int]:
 
 
 def resident(daemon, field: str = "VmRSS") -> int:
-    """Bytes of memory; VmHWM is the most that there ever were."""
+    """Returns a value in bytes; VmHWM is the peak memory."""
     text = Path(f"/proc/{daemon.process.pid}/status").read_text()
     return int(next(line.split()[1] for line in text.splitlines() if line.startswith(field + ":"))) << 10
 

@@ -1,4 +1,4 @@
-"""The functions of libcontactd-cntc, called from Python."""
+"""Calls the functions of libcontactd-cntc from Python."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ __all__ = ["ALL", "DropIn"]
 
 Floats = npt.NDArray[np.float64]
 
-ALL = -1  #: the number of all contact problems
+ALL = -1  #: stands for all contact problems
 _SILENT = 2000  #: the flag of output
 _ON_RAILS = 1
-_NOT_CONVERGED = (-26, -27, -28, -29)  #: of cntc_calculate; the best that was found can be read
+_NOT_CONVERGED = (-26, -27, -28, -29)  #: of cntc_calculate; the best approximation can be read
 
 
 @cache
@@ -63,11 +63,11 @@ class DropIn:
 
     @property
     def sentence(self) -> str:
-        """The sentence of the last error."""
+        """Returns the message of the last error."""
         return str(_library().contactd_cntc_last_error(None).decode())
 
     def read(self, path: Path) -> int:
-        """Sets the case of a file. Returns 0 or the code of what was refused."""
+        """Sets the case of a file. Returns 0, or the code of a refusal."""
         error, name = ctypes.c_int(), str(path).encode()
         _call("cntc_readinpfile", self.ire, 1, name, len(name), error)
         return error.value
@@ -77,7 +77,7 @@ class DropIn:
         _call("cntc_setflags", self.ire, self.all, 1, [code], [value])
 
     def calculate(self) -> tuple[str, str]:
-        """Solves. Returns the status of the case, and a sentence without a solution or with a poor one."""
+        """Solves. Returns the status of the case, and a message if there is no solution or a poor one."""
         error = ctypes.c_int()
         _call("cntc_calculate", self.ire, self.all, error)
         if error.value >= 0:
@@ -89,35 +89,35 @@ class DropIn:
         _call("subs_calculate", self.ire, icp, ctypes.c_int())
 
     def reals(self, function: str, count: int, *arguments: int) -> Floats:
-        """So many numbers, each by an argument of its own; `arguments` come behind the number of the result element."""
+        """Returns `count` numbers, each from its own argument; `arguments` follow the number of the result element."""
         found = [ctypes.c_double() for _ in range(count)]
         _call(function, self.ire, *arguments, *found)
         return np.array([one.value for one in found])
 
     def list(self, function: str, count: int, *arguments: int) -> Floats:
-        """An array of so many numbers."""
+        """Returns an array of `count` numbers."""
         found = np.zeros(count)
         _call(function, self.ire, *arguments, count, found)
         return found
 
     def integer(self, function: str, *arguments: int) -> int:
-        """A whole number."""
+        """Returns an integer."""
         found = ctypes.c_int()
         _call(function, self.ire, *arguments, found)
         return found.value
 
     def division(self, icp: int, count: int) -> npt.NDArray[np.int32]:
-        """The state of each element."""
+        """Returns the state of each element."""
         found = np.zeros(count, np.int32)
         _call("cntc_getelementdivision", self.ire, icp, count, found)
         return found
 
     def field(self, code: int, icp: int, count: int) -> Floats:
-        """A number of each element, by the codes of cntc_getfielddata."""
+        """Returns a number for each element, by the codes of cntc_getfielddata."""
         return self.list("cntc_getfielddata", count, icp, code)
 
     def columns(self, icp: int, block: int, columns: Sequence[int]) -> Floats:
-        """Columns of a block of points below the surface, shape [columns, nz, ny, nx]."""
+        """Returns columns of a block of points below the surface, shape [columns, nz, ny, nx]."""
         size = [ctypes.c_int() for _ in range(3)]
         _call("subs_getblocksize", self.ire, icp, block, *size)
         nx, ny, nz = (one.value for one in size)

@@ -1,4 +1,4 @@
-"""A ROUTER that answers as a test tells it to, to show a client what a real daemon never would."""
+"""A ROUTER with scripted answers, to test a client with messages that a real daemon never sends."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Script = Callable[["Request"], Iterable[Frames]]
 
 
 class Request:
-    """What the client sent, and answers to it as lists of frames."""
+    """The messages of the client, and answers to it as lists of frames."""
 
     def __init__(self, parts: Frames) -> None:
         self.envelope: dict[str, Any] = json.loads(parts[0])
@@ -38,7 +38,7 @@ class Request:
 
 
 class FakeServer:
-    """Runs `script` for every request in a thread of its own; `requests` keeps what came."""
+    """Runs `script` for every request in a separate thread; `requests` collects the requests."""
 
     def __init__(self, folder: Path, script: Script) -> None:
         self.script = script

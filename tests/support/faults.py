@@ -1,4 +1,4 @@
-"""What is done to daemons on purpose."""
+"""Causes faults of daemons on purpose."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .daemons import BIN, Daemons, TestDaemon
 
 #: The long versions of these tests: CONTACTD_FAULTS=long, as ./dev faults sets it.
 LONG_FAULTS = os.environ.get("CONTACTD_FAULTS") == "long"
-#: A namespace in which an ordinary user, too, may mount.
+#: A namespace in which ordinary users can mount, too.
 NAMESPACE = ["unshare", "--user", "--map-root-user", "--mount"]
 
 CLOCK = r"""
@@ -59,7 +59,7 @@ def script(folder: Path, *lines: str, name: str = "program") -> Path:
 
 
 def start_as(daemons: Daemons, *command: str | Path, name: str = "daemon", **config: object) -> TestDaemon:
-    """A daemon behind a command that ends by executing what follows it."""
+    """A daemon started through a command that finally executes it."""
     program = script(daemons.folder, f'exec {shlex.join(map(str, command))} {BIN / "contactd"} "$@"', name="wrapper")
     try:
         return daemons.start(name, program=program, **config)
@@ -73,7 +73,7 @@ def needs_namespaces() -> None:
 
 
 def start_with_mount(daemons: Daemons, *mount: str, **config: object) -> TestDaemon:
-    """A daemon whose store is mounted, by `mount ... STORE`, where nobody else sees it."""
+    """A daemon with a mounted store (`mount ... STORE`) that no other process sees."""
     needs_namespaces()
     store = daemons.folder / "daemon" / "store"
     store.mkdir(parents=True, exist_ok=True)
@@ -82,7 +82,7 @@ def start_with_mount(daemons: Daemons, *mount: str, **config: object) -> TestDae
 
 
 def mounted_store(daemon: TestDaemon) -> Path:
-    """The store as the daemon sees it."""
+    """Returns the path of the store as the daemon sees it."""
     return Path(f"/proc/{daemon.pid}/root{daemon.store}")
 
 
@@ -92,7 +92,7 @@ def in_namespace(daemon: TestDaemon, *command: str) -> None:
 
 
 def clock_shim(folder: Path) -> Path:
-    """A library that sets the clock of the program back that is started with it."""
+    """Returns a library that sets back the clock of a program started with it."""
     source, library = folder / "clock.c", folder / "clock.so"
     source.write_text(CLOCK)
     subprocess.run(["cc", "-shared", "-fPIC", "-O1", "-o", str(library), str(source)], check=True)
@@ -101,6 +101,6 @@ def clock_shim(folder: Path) -> Path:
 
 
 def python_with(environment: dict[str, str], *arguments: str) -> str:
-    """What a Python program prints in this environment."""
+    """Returns the output of a Python program in this environment."""
     everything = {**os.environ, **environment}
     return subprocess.run([sys.executable, *arguments], env=everything, check=True, capture_output=True, text=True).stdout

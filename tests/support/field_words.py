@@ -27,5 +27,5 @@ OTHERWISE = {
 
 
 def everyday(text: str) -> dict[str, str]:
-    """The expressions of OTHERWISE that are in `text`, each with the field's."""
+    """Returns the expressions of OTHERWISE in `text`, each with the field's term."""
     return {old: term for old, term in OTHERWISE.items() if re.search(rf"\b{old}\b", text, re.IGNORECASE)}

@@ -1,4 +1,4 @@
-"""FMUs of this build, run by FMPy: one way of saying things for FMI 2 and FMI 3."""
+"""Runs the FMUs of this build with FMPy, with the same calls for FMI 2 and FMI 3."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any
 
 from support.daemons import BIN
 
-#: Where the archives are, and FMPy with the other importers, as ./dev has installed it for this build.
+#: The archives, and the folder where ./dev has installed FMPy and other importers for this build.
 FOLDER = BIN.parent / "fmu"
 _CACHE = BIN.parent / "CMakeCache.txt"
 _FOUND = (
@@ -18,11 +18,11 @@ _FOUND = (
 )
 PACKAGES = Path(_FOUND[1]) if _FOUND else None
 if PACKAGES:
-    sys.path.append(str(PACKAGES))  # behind Debian's own
+    sys.path.append(str(PACKAGES))  # after Debian's own
 
 KINDS = ("contactd_contact", "contactd_wheel")
 VERSIONS = (2, 3)
-#: Type -> the end of the names of FMPy's functions.
+#: Type -> suffix of FMPy's functions.
 _CALLS = {"Enumeration": {2: "Integer", 3: "Int64"}}
 Value = float | int | bool | str
 
@@ -54,7 +54,8 @@ class Fmu:
         from fmpy import fmi2
 
         def logger(_environment: Any, _name: bytes, status: int, category: bytes, message: bytes) -> None:
-            # Sentences are formats without arguments. FMPy's own proxy for these tells all to the last instance.
+            # Sentences are formats without arguments. FMPy's own proxy for these sends all of them to the last
+            # instance.
             self.log.append((status, category.decode(), message.decode() % ()))
 
         callbacks = fmi2.fmi2CallbackFunctions()
@@ -93,7 +94,7 @@ class Fmu:
             self._call("set", name)([self.reference(name)], [value])
 
     def get(self, names: Iterable[str] | str) -> Any:
-        """A list, or the value of one."""
+        """Returns a list, or the value of one variable."""
         if isinstance(names, str):
             return self._call("get", names)([self.reference(names)])[0]
         return [self.get(name) for name in names]
@@ -102,7 +103,7 @@ class Fmu:
         return {name: self.get(name) for name, variable in self.variables.items() if variable.causality == "output"}
 
     def enter(self, values: Mapping[str, Value] | None = None) -> None:
-        """Up to the initialization, in which it stays."""
+        """Starts the instance, and leaves it in the initialization."""
         if self.fmi == 2:
             self.slave.setupExperiment(startTime=0)
         self.set(values or {})
@@ -114,7 +115,7 @@ class Fmu:
         return self
 
     def step(self, values: Mapping[str, Value] | None = None, size: float = 1e-3) -> dict[str, Value]:
-        """Its outputs after one."""
+        """Returns the outputs after one step."""
         self.set(values or {})
         self.slave.doStep(self.time, size)
         self.time += size

@@ -1,4 +1,4 @@
-"""A daemon that encrypts, and keys for its users."""
+"""Provides a daemon that encrypts, and keys for its users."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from .daemons import BIN, Daemons, eventually
 
 
 def keygen(folder: Path, name: str) -> tuple[Path, Path]:
-    """contactd keygen; the secret and the public file."""
+    """Calls contactd keygen; returns the secret and the public file."""
     subprocess.run([BIN / "contactd", "keygen", name, "--folder", folder], check=True, capture_output=True, timeout=30)
     return folder / f"{name}.key_secret", folder / f"{name}.key"
 
 
 class Fortress:
-    """The daemon and its user alice; `config` as of Daemons.start."""
+    """Starts the daemon and creates its user alice; `config` is that of Daemons.start."""
 
     def __init__(self, daemons: Daemons, folder: Path, **config: Any) -> None:
         self.folder = folder
@@ -43,7 +43,7 @@ class Fortress:
         return self.daemon.client(server_key=server_key or self.public, own_key=own_key or self.alice, **options)
 
     def reload(self, sign: str = "keys are allowed") -> None:
-        """SIGHUP, and waits until the log shows that the keys were read."""
+        """Sends SIGHUP, and waits until the log reports that the keys were read."""
         before = self.daemon.log.count(sign)
         self.daemon.process.send_signal(signal.SIGHUP)
         eventually(lambda: self.daemon.log.count(sign) > before)

@@ -1,4 +1,4 @@
-"""Values of metrics, over the wire and as Prometheus reads them."""
+"""Reads metrics over the wire, and in the form for Prometheus."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ SAMPLE = re.compile(r'([a-z_]+)(?:\{((?:[a-z_]+="[^"]*",?)*)\})? (\S+)')
 
 
 def metric(client: Client, name: str, **labels: str) -> float:
-    """The value of one sample of server.metrics; zero when there is none with these labels."""
+    """Returns the value of one sample of server.metrics, or zero if there is none with these labels."""
     for family in client.metrics():
         if family["name"] == name:
             return next((float(s["value"]) for s in family["samples"] if s["labels"] == labels), 0.0)
@@ -19,7 +19,7 @@ def metric(client: Client, name: str, **labels: str) -> float:
 
 
 def parse(page: str) -> dict[str, dict[str, Any]]:
-    """The text format of Prometheus: name -> type, help and samples (labels -> value). Fails on anything else."""
+    """Parses the text format of Prometheus: name -> type, help and samples (labels -> value). Fails for any other text."""
     families: dict[str, dict[str, Any]] = {}
     for line in page.splitlines():
         if line.startswith("# HELP "):

@@ -1,4 +1,4 @@
-"""Materials, grids and coefficients that several tests use."""
+"""Materials, grids and coefficients shared by several tests."""
 
 from __future__ import annotations
 
@@ -6,9 +6,9 @@ from contactd import ContactProblem, FemIcs, Friction, Grid, Material, Paraboloi
 
 STEEL = Material(G=82000, nu=0.28)
 GRID = Grid(6, 6, 0.8, 0.8)
-#: A table in about a tenth of a second.
+#: A table that is built in about a tenth of a second.
 QUICK = FemIcs("paper-test2", order=1, L_over_h=40)
-#: A table that takes a minute: something to watch, to cancel and to kill.
+#: A table that takes a minute, to be observed, cancelled and killed.
 LONG = FemIcs("paper-test1", order=2, L_over_h=1000)
 
 #: The Cattaneo problem of the paper, section 4, with analytic coefficients on 40 x 40 elements.
@@ -20,8 +20,8 @@ CATTANEO = ContactProblem(
     friction=Friction(mu=0.4, rigid_shift=(0.00817, 0)),
 )
 
-#: Ends by being ended only. Rolling a hundred thousand steps takes hours; a tolerance that cannot be reached would not do,
-#: as an iteration may come to rest with an update of exactly zero.
+#: A problem that runs until it is cancelled: a hundred thousand steps of rolling take hours. An unreachable tolerance
+#: would not do, because an iteration may stop with an update of exactly zero.
 ENDLESS = CATTANEO.replace(
     grid=Grid.centred(320, 320, 2.4, 2.4),
     friction=Friction(mu=0.4, rolling=Rolling(kind="transient", xi=1e-3, steps=100_000)),

@@ -1,4 +1,4 @@
-"""Several processes: forked ones, and what they are given to do."""
+"""Runs functions in several processes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ PROBLEM = ContactProblem(
 
 
 def in_fork(function: Callable[[], Any]) -> Any:
-    """What `function` returns in a process that is forked for it, or the exception that it raises there."""
+    """Returns the result of `function` in a forked process, or raises its exception."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:
@@ -40,5 +40,5 @@ def in_fork(function: Callable[[], Any]) -> Any:
 
 
 def force_at(client: Client, approach: float) -> float:
-    """The normal force (N) of a small contact; here, so that a spawned process can import it."""
+    """Returns the normal force (N) of a small contact. It is defined here so that a spawned process can import it."""
     return client.solve(PROBLEM.replace(approach=approach)).Fn

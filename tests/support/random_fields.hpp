@@ -1,4 +1,4 @@
-// Values whose fields are all random, within their bounds, by their lists: for what has to hold of every field.
+// Generates values with random fields within their bounds, from the lists of fields, for properties of every field.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace contactd {
 
-/// Calls `visit` with each number below the fields of a value, and where it stands, as "track.springs.y".
+/// Calls `visit` with each number below the fields of a value, and with its path, such as "track.springs.y".
 inline void visit_numbers(const FieldType& type, void* value, const std::string& path,
                           const std::function<void(const Field&, double&, const std::string&)>& visit) {
     for (const Field& field : type.fields) {
@@ -25,7 +25,7 @@ inline void visit_numbers(const FieldType& type, void* value, const std::string&
     }
 }
 
-/// Sets every field but those of custom types and lists; optionals are present.
+/// Sets every field except those of custom types and lists; optional ones are present.
 inline void fill_fields(const FieldType& type, void* value, std::mt19937& random) {
     for (const Field& field : type.fields) {
         const FieldType& inner = field.type();
@@ -41,7 +41,7 @@ inline void fill_fields(const FieldType& type, void* value, std::mt19937& random
         if (inner.kind == FieldKind::keyword)
             inner.set_integer(found, static_cast<int>(random() % inner.keywords.size()));
         if (inner.kind == FieldKind::text) *static_cast<std::string*>(found) = std::to_string(random());
-        // All other shapes hold points, which are of a custom type, or ends in an order.
+        // All other shapes contain points, which have a custom type, or ordered ends.
         if (&inner == &type_of<ProfileSpec>())
             fill_fields(type_of<Rail60E1>(), &static_cast<ProfileSpec*>(found)->shape.emplace<Rail60E1>(), random);
         else

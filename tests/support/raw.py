@@ -1,4 +1,4 @@
-"""Requests as bytes, for what the client would never send. Every answer is held against its schema."""
+"""Sends requests as bytes, including those that a client would never send. Validates every answer against its schema."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ class RawClient:
         self.socket.send_multipart(parts)
 
     def receive(self, timeout: float = TIMEOUT_MS / 1000 / SLOWER) -> Answer:
-        """The next reply within so many seconds; progress before it is checked and passed over."""
+        """Returns the next reply within `seconds`. Progress messages before it are validated and skipped."""
         while True:
             assert self.socket.poll(int(1000 * timeout * SLOWER)), "no answer"
             text, *frames = self.socket.recv_multipart()

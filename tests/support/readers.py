@@ -1,4 +1,4 @@
-"""Readers of files that do what HDF5 may do with one that was made to harm."""
+"""Readers of files that do what HDF5 may do with a malicious file."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Which process of pytest-xdist runs which tests, and when: what tests of a file share lives in one process, and slow ones begin
-first, so that at the end no process has one to itself while the others are idle."""
+"""Assigns tests to the processes of pytest-xdist. Tests that share a fixture of their file run in one process. Slow
+tests start first, so that at the end no process runs alone."""
 
 from __future__ import annotations
 
@@ -21,7 +21,8 @@ def shares_a_module(item: pytest.Item) -> bool:
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Puts tests that share something of a module's scope, and each slow one, into a group; the names of groups say what is slow."""
+    """Puts tests that share something of a module's scope, and each slow one, into a group. Names of groups mark slow
+    ones."""
     groups: dict[str, list[pytest.Item]] = {}
     for number, item in enumerate(items):
         if (given := item.get_closest_marker("xdist_group")) is not None:
@@ -41,7 +42,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
-    """Groups in the order that pytest-xdist has them, by the number of their tests, but slow ones before the others."""
+    """Returns the groups by their number of tests, like pytest-xdist, but with slow ones first."""
     if config.getvalue("dist") != "loadgroup":
         return None
     from xdist.scheduler import LoadGroupScheduling

@@ -1,4 +1,4 @@
-"""The names of all fields that the schemas declare."""
+"""Returns the names of all fields that the schemas declare."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ SCHEMAS = Path(__file__).parents[2] / "proto" / "schema"
 
 
 def declared(node: Any) -> set[str]:
-    """The names of all fields in a document."""
+    """Returns the names of all fields in a document."""
     if isinstance(node, list):
         return set().union(*map(declared, node))
     if not isinstance(node, dict):

@@ -1,4 +1,4 @@
-"""The JSON Schemas of proto/schema, to hold every message of the daemon against."""
+"""Validates every message of the daemon against the JSON Schemas of proto/schema."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ def parameters(method: str) -> list[str]:
 
 
 def check(name: str, message: Any) -> None:
-    """Fails with every place where `message` is not as proto/schema/<name>.json says."""
+    """Fails with every place where `message` does not conform to proto/schema/<name>.json."""
     errors = [f"{error.json_path}: {error.message[:200]}" for error in _validator(name).iter_errors(message)]
     assert not errors, f"not as {name}.json says:\n" + "\n".join(errors)
 
 
 def check_reply(method: str, envelope: dict[str, Any]) -> None:
-    """A whole answer: its envelope, and its result by the method's own schema."""
+    """Validates a whole answer: its envelope, and its result by the method's own schema."""
     check("reply", envelope)
     if envelope["status"]["code"] == 0:
         check(f"{method}.result", envelope["result"])

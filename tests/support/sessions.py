@@ -1,4 +1,4 @@
-"""Sessions that several tests open."""
+"""Sessions shared by several tests."""
 
 from __future__ import annotations
 
@@ -18,19 +18,19 @@ OPEN = {
     "approach": 0.02,
     "friction": {"mu": 0.4, "rigid_shift": [0.001, 0]},
 }
-#: What a fake daemon answers to session.step, and a name that it may give.
+#: The answer of a fake daemon to session.step, and a valid name.
 STEP = {
     "step": 1, "approach": 0.02, "forces": {"Fn": 9, "Fx": 0, "Fy": 0, "Mz": 0}, "pmax": 4,
     "area": {"contact": 3, "adhesion": 1, "slip": 2}, "elements": {"contact": 3, "adhesion": 1, "slip": 2, "border": 0},
     "converged": True, "evidence": {"normal": {"iterations": 6, "residual": 0, "converged": True, "seconds": 0}},
 }  # fmt: skip
 NAME = "0123456789abcdef" * 2
-#: Takes minutes.
+#: A step that takes minutes.
 ENDLESS = Friction(mu=0.4, rolling=Rolling(kind="transient", xi=1e-3, steps=100_000))
 
 
 def opened(step: int = 0, name: str = NAME) -> dict[str, Any]:
-    """What a fake daemon answers to session.open."""
+    """The answer of a fake daemon to session.open."""
     return {"session": name, "lease_seconds": 60, "step": step, "ics": {}, "bytes": 1}
 
 

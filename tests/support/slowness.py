@@ -1,8 +1,8 @@
-"""How long tests wait."""
+"""Scales the timeouts of tests."""
 
 from __future__ import annotations
 
 import os
 
-#: How much longer everything may take where the programs are slow, as with sanitizers.
+#: The factor by which timeouts are longer if the programs are slow, as with sanitizers.
 SLOWER = int(os.environ.get("CONTACTD_SLOWER", "1"))

@@ -1,4 +1,4 @@
-"""Tables of made-up numbers, for what does not depend on physics."""
+"""Tables of invented numbers, for tests that do not depend on physics."""
 
 import numpy as np
 
@@ -10,7 +10,7 @@ SIGNS = {(i, j): tuple(-1 if (i == a) != (j == a) else 1 for a in (0, 1)) for i 
 
 
 def made_up(seed=1, nx=NX, ny=NY):
-    """An array with the symmetry of tables and nothing else."""
+    """Returns an array with the symmetry of tables."""
     array = np.random.default_rng(seed).uniform(0.1, 1, (3, 3, ny, nx)) * 1e-5
     for (i, j), (along_x, along_y) in SIGNS.items():
         if along_x < 0:

@@ -1,4 +1,4 @@
-// A place for the files of a C++ test.
+// Provides a folder for the files of a C++ test.
 #pragma once
 
 #include <cstdlib>
@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// A folder of its own that goes away with the test, and all that is in it.
+/// A separate folder that is deleted with its contents at the end of the test.
 class TemporaryFolder {
    public:
     TemporaryFolder() {

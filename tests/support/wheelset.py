@@ -1,4 +1,5 @@
-"""The modules of client/python/examples/wheelset and bogie, which are no packages: programs', and the package they share."""
+"""Imports the modules of client/python/examples/wheelset and bogie, which are not packages, and the package that they
+share."""
 
 from __future__ import annotations
 
@@ -19,13 +20,13 @@ BOGIE_NAMES = ("vehicle", "line", "equations", "rolling", "runs", "energy")
 
 @pytest.fixture
 def wheelset(monkeypatch: pytest.MonkeyPatch) -> Iterator[SimpleNamespace]:
-    """Modules by their names; `module` imports one more."""
+    """Yields modules by their names; `module` imports one more."""
     yield from _modules(monkeypatch, EXAMPLE, NAMES)
 
 
 @pytest.fixture
 def bogie(monkeypatch: pytest.MonkeyPatch) -> Iterator[SimpleNamespace]:
-    """As `wheelset`."""
+    """Does the same as `wheelset` for the bogie."""
     yield from _modules(monkeypatch, BOGIE, BOGIE_NAMES)
 
 

@@ -10,7 +10,7 @@ from .problem import WINDOW, Ics, Spec, spec_of
 
 #: Sizes of the block (mm), and the contact grids: elements along an edge of the window.
 LENGTHS = (8, 16, 32, 64, 128, 256, 512, 1024)
-#: Fine grids first: their tables serve the coarse ones with the same L/h.
+#: Fine grids come first, because their tables serve the coarse ones with the same L/h.
 GRIDS = (160, 40, 10)
 COMPARED_GRIDS = (160, 80, 40, 20, 10)
 
@@ -22,7 +22,7 @@ PAPER_SAMPLING = "linear_nodes"
 
 @dataclass(frozen=True)
 class Case:
-    """One point of one curve."""
+    """One point of a curve."""
 
     part: str
     curve: str
@@ -92,7 +92,7 @@ def comparison(part: str) -> list[Case]:
     return result
 
 
-#: Beyond the paper's largest block, on Mesh1.
+#: These blocks exceed the paper's largest, on Mesh1.
 LARGER_LENGTHS = (2048, 4096)
 
 
@@ -123,7 +123,7 @@ def bilinear() -> list[Case]:
     return result
 
 
-#: Grids for the limit of h -> 0, solved more accurately than the paper's bound of 1e-6.
+#: Grids for the limit h -> 0, solved to a smaller tolerance than the paper's 1e-6.
 LIMIT_GRIDS = (160, 240, 320, 480, 640, 960)
 
 
@@ -146,7 +146,7 @@ def sources() -> list[Case]:
         for sampling, ics in read.items():
             add(mesh, sampling, ics)
             add(mesh, f"half_space, {sampling}", fem(mesh, FINEST, 8, sampling=sampling, far_boundary="half_space"))
-            # One half has computed coefficients, the other has the closed form.
+            # One half uses computed coefficients, and the other the closed form.
             add(mesh, f"zz alone, {sampling}", ics, tangential={})
             add(mesh, f"tangential alone, {sampling}", {}, tangential=ics)
             add(mesh, f"no xy, {sampling}", ics, no_xy=True)
@@ -161,7 +161,7 @@ def sources() -> list[Case]:
     return result
 
 
-#: In the order of computation: the largest extent of a table first, so that it serves the other ones.
+#: In computation order: the largest extent of a table comes first, so that the table serves the others.
 PARTS = {
     "fig9": fig9, "limit": limit, "fig10": fig10, "fig11": fig11, "larger": larger,
     "bilinear": bilinear, "fig12": fig12, "sources": sources, "fig13": fig13, "fig14": fig14,

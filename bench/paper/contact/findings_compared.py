@@ -56,7 +56,7 @@ def all_grids(rows: Rows) -> Found:
     curves = {name: _curve(rows, name) for name in _CURVES}
 
     def mesh1_smaller(quantity: str) -> bool:
-        """On every grid, and however it is read."""
+        """Holds on every grid, for both ways of reading the comparison."""
         pairs = [pair for kind in ("", "_bi", "_fem") for pair in zip(curves[f"m1{kind}"], curves[f"m2{kind}"])]
         return all(size(one, quantity) < size(two, quantity) for one, two in pairs)
 

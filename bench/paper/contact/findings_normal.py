@@ -77,7 +77,7 @@ def mesh1(rows: Rows) -> Found:
 
 
 def larger_blocks(rows: Rows) -> Found:
-    """Mesh1 with L beyond the paper's, and which of all L has the smallest error."""
+    """Returns results on Mesh1 with L beyond the paper's, and the L with the smallest error."""
     quantities = ("Fz", "pmax", "area", "Fx")
     curves = {name + way: [*select(rows["fig10"], curve=name + way), *select(rows["larger"], curve=name + way)]
               for name in NAMES for way in ("", ", fem")}  # fmt: skip

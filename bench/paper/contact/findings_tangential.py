@@ -12,7 +12,7 @@ from .cases import CHOSEN_L, COMPARED_GRIDS, FINEST, GRIDS
 from .finding import NAMES, error, falls, falls_then_rises, listed, on, signed, size
 from .problem import CATTANEO_FX, FX, MU, WINDOW
 
-#: Section 4.2: the shift is the one of this Fx over mu Fz, at which Cattaneo's adhesion area has half the radius.
+#: Section 4.2: the shift is the one for this Fx over mu Fz, at which Cattaneo's adhesion area has half the radius.
 SHARE_OF_BOUND = 7 / 8
 
 

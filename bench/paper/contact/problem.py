@@ -25,14 +25,14 @@ RADIUS, APPROACH, WINDOW = 50.0, 0.02, 2.4  # mm
 MU, SHIFT = 0.4, 0.00817  # rigid shift along x (mm)
 TOLERANCE = 1e-6  # of both stopping criteria
 
-# For Hertz's contact of two equal bodies, 1/E* = (1 - nu)/G, and the contact radius is sqrt(R delta).
+# In Hertz's contact of two equal bodies, 1/E* = (1 - nu)/G, and the contact radius is sqrt(R delta).
 _E_STAR = BODY.G / (1 - BODY.nu)
 FZ = 4 / 3 * _E_STAR * math.sqrt(RADIUS) * APPROACH**1.5
 PMAX = 2 * _E_STAR / math.pi * math.sqrt(APPROACH / RADIUS)
 AREA = math.pi * RADIUS * APPROACH
-#: The paper's reference; the part "limit" says how well it is met.
+#: The paper's reference values; the part "limit" shows how accurate they are.
 FX = 3.2216
-#: Cattaneo's solution for this shift, which leaves lateral displacements out (Johnson, Contact Mechanics, 7.2).
+#: Cattaneo's solution for this shift, which neglects lateral displacements (Johnson, Contact Mechanics, 7.2).
 _FULL_SLIP = 3 * MU * FZ * (2 - BODY.nu) / (8 * BODY.G * math.sqrt(RADIUS * APPROACH))  # shift where adhesion ends (mm)
 CATTANEO_FX = MU * FZ * (1 - (1 - SHIFT / _FULL_SLIP) ** 1.5)
 
@@ -59,5 +59,5 @@ def contact_problem(spec: Spec) -> ContactProblem:
         ics=ics_of(spec["ics"]),
         friction=Friction(MU, (SHIFT, 0)),
         normal=SolverSettings(tolerance=tolerance),
-        tangential=TangentialSettings(tolerance=tolerance, solver="tangcg"),  # the paper's
+        tangential=TangentialSettings(tolerance=tolerance, solver="tangcg"),  # as in the paper
     )

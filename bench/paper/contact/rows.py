@@ -1,4 +1,4 @@
-"""One row of a CSV file of section 4. Errors are relative and signed; the paper shows their sizes."""
+"""Makes one row of a CSV file of section 4. Errors are relative and signed; the paper shows their magnitudes."""
 
 from __future__ import annotations
 

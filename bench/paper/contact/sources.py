@@ -50,7 +50,7 @@ def _shares_table(rows: Rows) -> str:
     return markdown(head, body)
 
 
-#: Ways to come to the paper's Fx, and their words.
+#: Possible explanations of the paper's Fx, and their descriptions.
 _WAYS = {
     "linear_nodes": "read between nodes (the paper)",
     "fem": "read from the function",

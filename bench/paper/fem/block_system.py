@@ -20,7 +20,7 @@ Options = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Mesh:
-    """A quarter block, lengths over h. Boundary attributes are those of core/fem/mesh/block_mesh.hpp."""
+    """A quarter block with lengths over h. Boundary attributes are those of core/fem/mesh/block_mesh.hpp."""
 
     vertices: npt.NDArray[np.float64]  #: shape [vertices, 3]
     elements: list[list[int]]
@@ -70,8 +70,8 @@ def read_mesh(text: str) -> Mesh:
 
 
 def faces_to_draw(mesh: Mesh) -> dict[str, Any]:
-    """Counts, and the faces on the planes x = 0, y = 0 and z = 0 as texts: x y z of every vertex, faces by a
-    semicolon apart, each its attribute and its vertices."""
+    """Returns counts, and the faces on the planes x = 0, y = 0 and z = 0 as texts: x y z of every vertex, and faces
+    separated by semicolons, each with its attribute and its vertices."""
     seen = [(attribute, face) for attribute, face in mesh.faces if attribute != FAR]
     return {
         "elements": len(mesh.elements),

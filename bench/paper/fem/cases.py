@@ -25,7 +25,7 @@ DEFAULTS: Ics = {"mesh": "hex", "order": 2, "l_over_h": 1, "h_over_hs": 4, "f": 
 
 @dataclass(frozen=True)
 class Case:
-    """One point of one curve. Its largest error is taken over `table` x `table` offsets."""
+    """One point of a curve. Its largest error is taken over `table` x `table` offsets."""
 
     part: str  #: a key of PARTS
     curve: str
@@ -33,7 +33,7 @@ class Case:
     value: float
     table: int
     spec: Spec  #: the parameters of ic.get
-    h: float = H  #: element size that is shown (mm); a table serves all of them
+    h: float = H  #: displayed element size (mm); a table serves all sizes
 
 
 def spec_of(extent: int, **ics: Any) -> Spec:
@@ -50,7 +50,7 @@ def clamped(mesh: str, test: str, L_over_h: float, **more: Any) -> Spec:
     extent = max(n for n in GRIDS if n <= L_over_h)
     base: Ics = {"preset": preset(mesh, test)}
     known = full_ics(base)
-    # What the preset says anyway is left out: equal meshes are to be equal requests.
+    # Fields that equal the preset are omitted, so that equal meshes are equal requests.
     other = {name: value for name, value in more.items() if known.get(name) != value}
     return spec_of(extent, **{**base, "L_over_h": L_over_h, "solver": "amg_pcg", **other})
 
@@ -91,8 +91,8 @@ def fig8() -> list[Case]:
 
 
 def orders() -> list[Case]:
-    """Figure 5 on Mesh2: linear elements of all tests, and the quadratic ones of the test that the paper takes, from the
-    L/h on that Table 3 recommends."""
+    """Returns figure 5 on Mesh2: linear elements for all tests, and the quadratic elements of the test that the paper
+    selects, from the L/h recommended by Table 3 on."""
     linear = [
         Case("orders", f"{test}, linear", "L", L, 10, clamped("prism", test, L / H, order=1, solver="auto"))
         for test in TESTS
@@ -129,7 +129,7 @@ SCANS: dict[str, dict[str, tuple[float, ...]]] = {
     "hex": {"l_over_h": (0.5, 1, 1.25, 1.5), "h_over_hs": (2, 4, 6), "f": (1.2, 1.35, 1.5, 1.75, 2, 2.5, 3)},
     "prism": {"l_over_h": (0.5, 1, 1.25, 1.5), "h_over_hs": (2, 4, 6), "f": (1.35, 1.5, 1.75, 2, 2.5, 3)},
 }
-SCANNED_L_OVER_H = (80, 640)  # where Table 3 begins, and where the the paper calls errors stable
+SCANNED_L_OVER_H = (80, 640)  # where Table 3 begins, and where the paper calls errors stable
 
 
 def table3() -> list[Case]:
@@ -170,7 +170,7 @@ def checks() -> list[Case]:
     return result
 
 
-#: Extents that the accuracy/time diagram compares, and L/h that reaches a little beyond them.
+#: Extents compared in the accuracy/time diagram, and values of L/h that reach slightly beyond them.
 COMPARED = {10: 12.0, 40: 46.0}
 
 
@@ -194,7 +194,7 @@ def accuracy() -> list[Case]:
         ]
         for order in (3, 4):
             for f in (1.8, 1.6, 1.5, 1.4):
-                # The cube is the loaded quarter, and each layer a copy of the one before, f times as large.
+                # The cube is the loaded quarter, and each layer is a copy of the previous one, f times as large.
                 mesh = {"l_over_h": 0.5, "h_over_hs": 4, "t1_over_hs": 2 * (f - 1)}
                 spec = spec_of(table, order=order, f=f, L_over_h=reach, far_boundary="half_space", **mesh)
                 result.append(Case("accuracy", f"order {order}, half_space", "f", f, table, spec))
@@ -244,7 +244,7 @@ def adaptive() -> list[Case]:
     return result
 
 
-#: Incomplete factorisations, and the order of the equations, which decides what they are worth.
+#: Incomplete factorisations, and orders of the equations, which determine their quality.
 FACTORISATIONS: dict[str, dict[str, Any]] = {
     "ILU(0), shell by shell": {"preconditioner": "ilu0", "numbering": "outward"},
     "ILU(0), reverse Cuthill-McKee": {"preconditioner": "ilu0", "numbering": "rcm"},
@@ -252,9 +252,9 @@ FACTORISATIONS: dict[str, dict[str, Any]] = {
     "ILU(0), MFEM's numbers, condensed": {"preconditioner": "ilu0", "numbering": "mfem", "condensed": 1},
     "IC, shell by shell": {"preconditioner": "ic", "numbering": "outward"},
 }
-#: The one that is solved for all meshes of figures 6 and 7.
+#: The system that is solved for all meshes of figures 6 and 7.
 PLAIN = "ILU(0), shell by shell"
-#: The meshes that section 4 takes, whose loads are compared by processor time.
+#: The meshes of section 4, whose loads are compared by processor time.
 COMPARED_LOADS = {"hex": 1024, "prism": 128}
 
 
@@ -273,7 +273,7 @@ def incomplete() -> list[Case]:
     return result
 
 
-#: Linear prisms of TEST 2 in a block so small that the whole of it can be solved densely.
+#: Returns linear prisms of TEST 2 in a block small enough to be solved densely as a whole.
 SMALL_QUARTER: Spec = {"preset": "paper-mesh2-test2", "L_over_h": 4, "h_over_hs": 2, "order": 1}
 COMPONENTS = [i + j for i in "xyz" for j in "xyz"]
 
@@ -293,7 +293,7 @@ def meshes() -> list[Case]:
     ]
 
 
-#: In the order of computation: what may be slow comes late.
+#: In computation order: slow computations come late.
 PARTS = {
     "fig5": fig5, "fig6": fig6, "fig7": fig7, "fig8": fig8,
     "meshes": meshes, "table1": table1, "incomplete": incomplete,
@@ -336,7 +336,7 @@ def effort(spec: Spec) -> float:
         return {1e-2: 0.3, 1e-3: 1, 1e-4: 6}.get(ics["accuracy"], 1)
     order = ics.get("order", 2)
     if ics.get("mesh") == "adaptive":
-        return 4e-4 * float(ics["max_dofs"])  # every mesh on the way is solved, too
+        return 4e-4 * float(ics["max_dofs"])  # every intermediate mesh is solved, too
     prism = full_ics(ics)["mesh"] == "prism"
     dofs: float = elements(ics) * order**3 * (1.75 if prism else 3.4)
     return 3e-5 * dofs * (3 if prism else 2) * math.pow(dofs / 3e4, 0.15)

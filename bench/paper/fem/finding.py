@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from ..rows import Row
 
 TARGET = 0.01  # the paper's (3.1)
-NEGLIGIBLE = TARGET / 10  # what does not show beside the target
+NEGLIGIBLE = TARGET / 10  # negligible beside the target
 
 
 def origin(row: Row) -> float:

@@ -12,12 +12,12 @@ from .finding import TARGET, origin, signed
 
 
 def orders(rows: Rows) -> Found:
-    """Figure 5's question on Mesh2, from the L/h on that Table 3 recommends."""
+    """Answers the question of figure 5 on Mesh2, from the L/h recommended by Table 3 on."""
     far = [row for row in rows["orders"] if row["L"] / row["h"] >= 79]
     linear = [row for row in far if row["curve"].endswith("linear")]
     quadratic = select(far, curve="test2, quadratic")
     best = min(linear, key=origin)
-    # What a linear mesh gains by being finer, against a quadratic one that is cheaper.
+    # Compares a refined linear mesh with a quadratic one that is cheaper.
     finest, cheap = at(linear, "test3, linear", 1024), at(quadratic, "test2, quadratic", 64)
     values = {
         **{f"linear_{test}": signed(select(linear, curve=f"{test}, linear")) for test in ("test1", "test2", "test3")},
@@ -33,7 +33,7 @@ def orders(rows: Rows) -> Found:
 
 
 def finer_grids(rows: Rows) -> Found:
-    """Figure 7's question on Mesh2."""
+    """Answers the question of figure 7 on Mesh2."""
     points = [*rows["mesh2_grids"], *select(rows["fig8"], curve="test2")]
     from_80 = [row for row in points if row["L"] / row["h"] >= 79]
     names = ("20x20", "40x40", "80x80")
@@ -49,7 +49,7 @@ def finer_grids(rows: Rows) -> Found:
 def components(rows: Rows) -> Found:
     """Returns the cost of the other load directions, and whether Table 3 holds for them."""
     points = {mesh: select(rows["components"], curve=mesh) for mesh in ("hex", "prism")}
-    loads = {"hex": ("x",), "prism": ("x", "y")}  # along y Mesh1 is the mirror image of itself along x
+    loads = {"hex": ("x",), "prism": ("x", "y")}  # on Mesh1, the load along y is the mirror image of the load along x
     iterations = [
         row[f"iterations_{load}"] / row["iterations_z"] for mesh in loads for load in loads[mesh] for row in points[mesh]
     ]

@@ -49,7 +49,7 @@ def elements_and_origin(rows: Rows) -> Found:
 
 
 def truncation(rows: Rows) -> Found:
-    """The error is that of the mesh plus c h/L, c from one doubling of L to the next."""
+    """The error is that of the mesh plus c h/L, where c follows from doubling L."""
     points = [row for row in select(rows["fig6"], curve="test3") if row["L"] >= 32]
     factors = [
         2 * (a["origin_zz"] - b["origin_zz"]) * a["L"] / a["h"] for a, b in zip(points, points[1:])
@@ -92,8 +92,9 @@ def cost(rows: Rows) -> Found:
     update = [at(rows["checks"], "test3, update", L) for L in (128, 256, 512, 1024)]
     growth = test3[-1]["elements"] / test3[0]["elements"]
     steps = [b["elements"] - a["elements"] for a, b in zip(test3, test3[1:])]
-    # Equal meshes of several grids are one computation. Operations go as unknowns times iterations, since the rows of
-    # the matrix grow no longer; processor time depends on what else the machine does.
+    # Equal meshes of several grids are one computation. The number of operations is proportional to unknowns times
+    # iterations, because the rows of the matrix have a constant length. Processor time also depends on other work of
+    # the machine.
     points = {row["dofs"]: row for row in [*select(rows["fig6"], curve="test3"), *rows["fig7"]]}
 
     def exponent_of(costs: list[float]) -> float:

@@ -18,7 +18,7 @@ def mesh2(rows: Rows) -> Found:
     solvers = max(abs(a["origin_zz"] - b["origin_zz"]) for a, b in zip(outward, direct))
     diagonals = max(abs(a["origin_zz"] - b["origin_zz"]) for a, b in zip(outward, across))
     firsts = {name: first_within(select(fig8, curve=name)) for name in ("test1", "test2", "test3", "test2, across")}
-    # Without the finite block's own error, and for the same l/h, h/hs and f.
+    # Excludes the error of the finite block, at the same l/h, h/hs and f.
     far = select(rows["adaptive"], parameter="f", value=1.2)
     by_hand = {mesh: next(row for row in far if row["curve"] == f"{mesh}, half_space") for mesh in ("hex", "prism")}
     values = {

@@ -21,7 +21,7 @@ def _counts(points: list[Row], stop: str) -> str:
 
 
 def _operations(unknowns: Sequence[float], iterations: Sequence[float]) -> list[float]:
-    """In proportion to them: the rows of the matrix do not grow."""
+    """The cost is proportional to these, because the rows of the matrix have a constant length."""
     return [n * count for n, count in zip(unknowns, iterations, strict=True)]
 
 

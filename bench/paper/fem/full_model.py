@@ -1,8 +1,8 @@
 """Checks Table 1 of the paper with the whole block, without any plane of symmetry, on linear prisms.
 
-The quarter's mesh is mirrored at x = 0 and y = 0, the whole element is loaded, and nothing is prescribed but u = 0 on
-the far faces. Beside it stands the quarter with the conditions of Table 1 as the paper prints them. Both are small and
-solved densely; contactd's own table of the same mesh is the third.
+The mesh of the quarter is mirrored at x = 0 and y = 0, the whole element is loaded, and only u = 0 on the far faces is
+prescribed. It is compared with the quarter under the conditions of Table 1 as the paper prints them. Both are small and
+solved densely. contactd's own table of the same mesh is the third.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from .block_system import FAR, FRONT, LOADED, RIGHT, Mesh
 
 Array = npt.NDArray[np.float64]
 AXES = "xyz"
-OFFSETS = 2  #: along each axis: elements whose centres are vertices of the meshes
+OFFSETS = 2  #: along each axis: elements with centres at vertices of the meshes
 #: Table 1: components that are zero at the front (x = 0) and at the right (y = 0), by the direction of the load.
 ZERO = {
     "z": {FRONT: "x", RIGHT: "y"},
@@ -36,7 +36,7 @@ def stiffness(mesh: Mesh, nu: float) -> Array:
 
 
 def prism_stiffness(corners: Array, nu: float) -> Array:
-    """Exact: an extruded triangle is an affine image of MFEM's reference prism."""
+    """This is exact: an extruded triangle is an affine image of MFEM's reference prism."""
     jacobian = (corners[[1, 2, 3]] - corners[0]).T
     inverse, volume = np.linalg.inv(jacobian), abs(np.linalg.det(jacobian))
     lame = 2 * nu / (1 - 2 * nu)
@@ -80,7 +80,8 @@ def mirrored(mesh: Mesh) -> Mesh:
 
 
 def displacements(mesh: Mesh, matrix: Array, load: str, zero: dict[int, str]) -> Array:
-    """Displacements of all vertices under a unit traction along `load`; they vanish on the far faces, and what `zero` names on others."""
+    """Returns displacements of all vertices under a unit traction along `load`. They are zero on the far faces, and
+    components in `zero` on other faces."""
     forces, free = np.zeros((len(mesh.vertices), 3)), np.ones((len(mesh.vertices), 3), dtype=bool)
     for attribute, face in mesh.faces:
         for component in "xyz" if attribute == FAR else zero.get(attribute, ""):
@@ -104,8 +105,8 @@ def surface_values(mesh: Mesh, u: Array, sign: int) -> Array:
 
 
 def compare(quarter: Mesh, table: Array, nu: float) -> dict[str, Any]:
-    """By component: differences of the quarter with Table 1 and of contactd's `table` to the whole block, and the
-    largest value, all over A^zz under the load."""
+    """Returns, by component, the differences of the quarter with Table 1 and of contactd's `table` to the whole block,
+    and the largest value, all relative to A^zz under the load."""
     whole = mirrored(quarter)
     matrices = stiffness(whole, nu), stiffness(quarter, nu)
     full, paper = np.zeros((2, 3, 3, OFFSETS, OFFSETS))

@@ -1,4 +1,4 @@
-"""Makes one computation: contactd-ic as a child process, its CPU time, and errors of its table; or another program."""
+"""Measures one computation of contactd-ic, with its CPU time and the errors of its table, or of another program."""
 
 from __future__ import annotations
 
@@ -24,7 +24,8 @@ _NOT_CONVERGED = 3  # exit status of contactd-ic
 
 
 def measure_with(programs: Path) -> Measure:
-    """Of a request for a table; or for a `solve` of a system, a `mesh`, or the comparison with a `whole_block`."""
+    """The result of a request for a table, of a `solve` of a system, of a `mesh`, or of the comparison with a
+    `whole_block`."""
     builder = Builder(programs / "contactd-ic")
 
     def measure(spec: Spec) -> dict[str, Any]:
@@ -50,7 +51,7 @@ class Builder:
         self._closed_forms: dict[str, Array] = {}
 
     def measure(self, spec: Spec) -> dict[str, Any]:
-        """Evidence, costs, and errors by extent. A solve that did not converge is a result, too: {"failure": text}."""
+        """Returns evidence, costs, and errors by extent. A solve that did not converge has the result {"failure": text}."""
         last, array, usage = self._build(spec)
         if array is None:
             return {"failure": last["error"]["message"]}
@@ -86,7 +87,8 @@ class Builder:
         return self._closed_forms[load_shape]
 
     def _build(self, spec: Spec) -> tuple[dict[str, Any], Array | None, Any]:
-        """The last line of contactd-ic, the table of dx = 1 and G = 1 unless a solve failed, and what was used up."""
+        """Returns the last line of contactd-ic, the table for dx = 1 and G = 1 unless a solve failed, and the resource
+        usage."""
         with tempfile.TemporaryDirectory(prefix="contactd-paper-") as folder:
             path, noise = Path(folder, "table.h5"), Path(folder, "noise.txt")
             command = [str(self._program), "-", "--output", str(path), "--exit-with-stdin"]
@@ -108,7 +110,7 @@ class Builder:
             )
         with process:
             assert process.stdin is not None and process.stdout is not None
-            # Standard input stays open until the end: a build must not survive this process.
+            # Standard input stays open until the end, so that a build does not survive this process.
             process.stdin.write(line + "\n")
             process.stdin.flush()
             text = process.stdout.read()
@@ -129,8 +131,9 @@ def _last_object(lines: list[str]) -> dict[str, Any]:
 
 
 def errors(array: Array, reference: Array, extent: int) -> dict[str, Any]:
-    """Errors over extent x extent offsets: of xx, yy, zz relative, at the origin (signed) and the largest; of the
-    others times 2 pi rho, which compares them with a point load's displacement (dx = dy = 1, G = 1)."""
+    """Returns errors over extent x extent offsets. Those of xx, yy and zz are relative: signed at the origin, and the
+    largest. The others are multiplied by 2 pi rho, which relates them to a point load's displacement (dx = dy = 1, G =
+    1)."""
     part, exact = array[:, :, :extent, :extent], reference[:, :, :extent, :extent]
     y, x = np.mgrid[0:extent, 0:extent]
     rho = np.hypot(x, y)

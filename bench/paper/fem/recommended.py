@@ -9,7 +9,7 @@ from .cases import SCANNED_L_OVER_H, SCANS
 
 TARGET = 0.01
 RANGE_COLUMNS = ["mesh", "parameter", "L_over_h", "paper", "scanned", "within", "outside"]
-#: What Table 3 recommends; of f the signs are printed the other way round.
+#: Recommendations of Table 3. The paper prints the signs for f the other way round.
 PAPER = {
     "L_over_h": {"hex": "L/h >= 80", "prism": "L/h >= 80"},
     "l_over_h": {"hex": "1 <= l/h <= 1.25", "prism": "1 <= l/h <= 1.25"},

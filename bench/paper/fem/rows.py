@@ -1,4 +1,4 @@
-"""One row of a CSV file of section 3."""
+"""Makes one row of a CSV file of section 3."""
 
 from __future__ import annotations
 
@@ -14,10 +14,11 @@ COLUMNS = [
     "origin_zz", "origin_xx", "origin_yy", "largest_zz", "largest_xx", "largest_yy", "scaled_xy", "scaled_xz",
     "cpu_seconds", "wall_seconds", "memory_mib",
 ]  # fmt: skip
-#: A solve is reported twice: where the paper's stopping criterion, on the update, ends it, and a true residual of 1e-8.
+#: A solve is reported twice: at the end by the paper's stopping criterion, on the update, and at a true residual of
+#: 1e-8.
 _STOPS = [f"{stop}_{name}" for stop in ("update", "residual")
           for name in ("iterations", "seconds", "residual", "origin_error")]  # fmt: skip
-#: These parts are no tables.
+#: These parts are not tables.
 RESULTS = {
     "incomplete": ["elements", "dofs", "unknowns", "nonzeros", "setup_seconds", *_STOPS],
     "table1": ["paper_difference", "contactd_difference", "largest"],
@@ -41,7 +42,7 @@ def row(case: Case, result: dict[str, Any]) -> Row:
 
 
 def _table_row(case: Case, result: dict[str, Any]) -> Row:
-    mesh = result["mesh"] or case.spec["ics"]  # an accuracy chooses its mesh
+    mesh = result["mesh"] or case.spec["ics"]  # the mesh chosen for an accuracy
     errors = result["errors"][str(case.table)]
     relative = {
         f"{kind}_{name}": errors[name][kind] for kind in ("origin", "largest") for name in ("zz", "xx", "yy")

@@ -56,7 +56,7 @@ def cost_table(rows: Sequence[Row]) -> str:
     return markdown(head, body) + "\n\nNone of them is reached by: " + "; ".join(failed or ["(all reach one)"]) + "."
 
 
-#: What the comparison asks of a mesh: far faces, error, goal, and the words for it.
+#: Criteria for meshes in the comparison: far faces, error, goal, and their description.
 ADAPTIVE_GOALS: tuple[tuple[str, Callable[[Row], float], float, str], ...] = (
     ("clamped", origin_error, 3e-3, "zz at the origin within 0.3 %, u = 0 at L = 1024"),
     ("half_space", table_error, 1e-2, "zz and xx over 10 × 10 within 1 %, half-space"),

@@ -12,7 +12,7 @@ Spec = dict[str, Any]
 
 @dataclass(frozen=True)
 class Case:
-    """One point of one curve."""
+    """One point of a curve."""
 
     part: str
     curve: str
@@ -21,12 +21,12 @@ class Case:
     spec: Spec
 
 
-#: Of the centre of a rigid ball of 50 mm under 5 kN from the edge of a block (mm).
+#: Distances (mm) of the centre of a rigid ball of 50 mm under 5 kN from the edge of a block.
 DISTANCES = (5, 3, 2, 1, 0.5, 0)
-#: Lateral shifts of a wheelset S1002 on 60E1 at 1/40 (mm), and how its contacts are solved.
+#: Lateral shifts of a wheelset S1002 on 60E1 at 1/40 (mm), and the ways of solving its contacts.
 SHIFTS = (0, 5.5, 6, 6.5, 6.75)
 WAYS = ("off", "half_space", "rotated", "fem")
-#: Bodies whose tables are built, with strips of 0.5 mm, 20 to 80 of them, and Poisson's ratio.
+#: Bodies whose tables are built, with 20 to 80 strips of 0.5 mm, and Poisson's ratio.
 BODIES: dict[str, tuple[Spec, int, float]] = {
     "edge at 0.5 strips": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 0.25}}, 20, 0.28),
     "edge at 2 strips": ({"edge_block": {"width": 100, "height": 50, "edge_distance": 1}}, 20, 0.28),
@@ -39,15 +39,15 @@ BODIES: dict[str, tuple[Spec, int, float]] = {
     "groove R5, nu 0.45": ({"groove": {"radius": 5, "depth": 5, "width": 60, "height": 40}}, 25, 0.45),
 }
 ACCURACIES = (1e-2, 1e-3)
-#: What the others are measured against; where it is refused it is the finest of the others. Half of the defect of
-#: reciprocity is part of the stated error, and no mesh makes it less.
+#: The reference accuracy. If it is refused, the finest accepted one is the reference. Half of the reciprocity defect is
+#: part of the stated error, and no mesh reduces it.
 FINEST = 1e-4
 #: Half angles of contact of a cylinder in a hole (degrees), of 20 strips or more.
 HALF_ANGLES = (20, 30, 45, 60, 75, 80)
-#: Radii of grooves (mm) in which a roller of 10 mm lies, and bodies that both are taken for.
+#: Radii of grooves (mm) in which a roller of 10 mm lies, and the models of both bodies.
 GROOVES = (10.25, 10.10, 10.05, 10.02)
 BODIES_IN_GROOVES = ("half_space", "rotated", "sections")
-#: Orders of elements in three dimensions, whether by a factor instead of BoomerAMG, and their meshes: lengths are over the
+#: Orders of elements in three dimensions, factorisation or BoomerAMG, and their meshes. Lengths are relative to the
 #: width of a strip.
 SOLID_ORDERS = {1: 0, 2: 0, 3: 1}
 SOLID = {"columns": 1, "offsets": 9, "edges": 2, "growth": 1.8, "length": 250, "many": 80}

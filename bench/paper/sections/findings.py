@@ -10,7 +10,7 @@ from . import findings_checks as checks
 from .findings_propagation import propagation
 
 MU_FZ = 0.3 * 80e3  # N
-CORNER, BOTH_ENDS = 6.5, 6.75  # shifts (mm) with contact in the corner, and from end to end of it
+CORNER, BOTH_ENDS = 6.5, 6.75  # shifts (mm) with contact in the corner, and their extremes
 
 
 def more(rows: Sequence[Row], quantity: str, curve: str, reference: str) -> list[tuple[float, float]]:
@@ -91,7 +91,7 @@ def tables(rows: Rows) -> Found:
              f"{one['reciprocity']:.1e}", f"{one['finest_asked']:g}: {one['finest']:.1e}", f"{one['seconds']:.1f}"]
         )  # fmt: skip
     bounds = all(row["found"] <= row["stated"] + row["finest"] for row in rows["tables"])
-    # What no mesh makes less, of strips beside an edge, is stated beyond the accuracy.
+    # Strips beside an edge have an error that no mesh reduces; it is stated in addition to the accuracy.
     within = all(row["stated"] - row["reciprocity"] <= row["value"] for row in rows["tables"])
     head = ["body", "1e-2: stated / found", "1e-3: stated / found", "of which reciprocity", "the finest: stated",
             "processor seconds for 1e-3"]  # fmt: skip

@@ -25,8 +25,8 @@ def persson(rows: Rows) -> Found:
     }, {"persson_pressures": max(pressures) <= 5e-3, "persson_angles": max(angles) <= 1e-2}
 
 
-#: Of the largest pressure, over that of finite elements, and of the approach over that of rotated half-spaces, by a
-#: prototype of another make, whose roller curves along x otherwise.
+#: Relative differences to an independent prototype: of the largest pressure, over that of finite elements, and of the
+#: approach, over that of rotated half-spaces. The prototype's roller has another curvature along x.
 GROOVE_PROTOTYPE = {10.25: (0.0064, 0.033), 10.1: (0.0093, 0.037), 10.05: (0.0129, 0.042), 10.02: (0.0210, 0.046)}
 
 
@@ -54,19 +54,19 @@ def groove(rows: Rows) -> Found:
 
 
 def a_load(row: Row) -> float:
-    """Processor seconds of the preconditioner's setup and the iterations; other seconds than `seconds` are wall time."""
+    """Processor seconds of the preconditioner's setup and the iterations; `seconds` are wall-clock time."""
     solving = row["setup_seconds"] + row["solve_seconds"]
     return float(row["seconds"] * solving / (solving + row["assembly_seconds"]) / row["loads"])
 
 
 def solid_seconds(row: Row) -> float:
-    """For as many strips as the transform took: with their loads, and the unknowns of their mesh."""
+    """Scaled to the number of strips of the transform: with their loads, and the unknowns of their mesh."""
     return float(a_load(row) * row["many_loads"] * row["many_dofs"] / row["dofs"])
 
 
 def solid(rows: Rows) -> Found:
     points = rows["solid"]
-    paper = [row for row in points if row["iterations"] > 0]  # by the paper's solver; the others by a factor
+    paper = [row for row in points if row["iterations"] > 0]  # by the paper's solver; the others by factorisation
     body = [
         [
             f"{row['value']:g}",

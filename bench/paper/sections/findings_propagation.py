@@ -1,4 +1,5 @@
-"""Checks section 5 of the paper on curved surfaces: errors of coefficients and of contacts. As in findings.py."""
+"""Checks section 5 of the paper on curved surfaces: errors of coefficients and of contacts. Functions are as in
+findings.py."""
 
 from __future__ import annotations
 
@@ -7,9 +8,9 @@ from ..rows import Row
 from .findings_checks import signed
 from .propagation import MESHES
 
-PAPER_MESH = (2, 4)  # order and edges a strip
+PAPER_MESH = (2, 4)  # order, and edges per strip
 TARGET = 0.01  # the paper's (3.1)
-ALIKE = 2.0  # factor within which sizes are called similar
+ALIKE = 2.0  # values within this factor are called similar
 QUANTITIES = {"p0": "largest pressure", "extent": "extent", "approach": "approach"}
 
 

@@ -11,7 +11,7 @@ from contactd import AnalyticIcs, Client, ContactColumns, FemIcs, Grid, Material
 STEEL = Material(G=82000, nu=0.28)
 ROLLER, ALONG_X, FORCE = 10.0, 460.0, 10e3  # radii across and along (mm), N
 STRIPS, SIZE = 41, 0.5  # mm
-BODY = {"width": 120, "height": 70}  # around the groove; the roller ends a slab of 60 mm
+BODY = {"width": 120, "height": 70}  # around the groove; the roller is the end of a slab of 60 mm
 
 
 def bodies(radius: float, body: str) -> tuple[Any, Any]:
@@ -30,7 +30,7 @@ def measure(client: Client, radius: float, body: str) -> dict[str, Any]:
     _, of_groove = bodies(radius, "rotated")
     frames = client.get_ic(STEEL, Grid.centred(1, STRIPS, SIZE, STRIPS * SIZE), of_groove).frames
     assert frames is not None
-    # From the groove along its normals to the roller, which touches it at the bottom.
+    # Returns the distance from the groove along its normals to the roller, which touches it at the bottom.
     angles, lower = np.asarray(frames)[:, 2], radius - ROLLER
     across = radius - lower * np.cos(angles) - np.sqrt(ROLLER**2 - (lower * np.sin(angles)) ** 2)
     gap = across[:, None] + grid.x[None, :] ** 2 / (2 * ALONG_X)

@@ -25,7 +25,7 @@ from .propagation import Propagation
 
 STEEL = Material(G=82000, nu=0.28)
 SIZE = 0.5  # of strips and elements of a table (mm)
-OFFSETS = 60  # of the tables that are compared
+OFFSETS = 60  # of the compared tables
 COMPONENTS = [i + j for i in "xyz" for j in "xyz"]
 BLOCK = {"edge_block": {"width": 100, "height": 50}}
 ONE_THREAD = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
@@ -86,7 +86,7 @@ class Solver:
         return {"pmax": patch.solution.pmax, "approach": patch.place.approach, "Fx": track.Fx, "Fy": track.Fy}
 
     def _table(self, spec: Spec) -> dict[str, Any]:
-        """Found: the largest difference of any component to the finest accuracy, over zz of the half-space on itself."""
+        """Returns the largest difference of any component to the finest accuracy, over zz of the half-space on itself."""
         name = f"{spec['section']} {spec['nu']}"
         if name not in self._finest:
             self._finest[name] = self._finest_of(spec)
@@ -103,11 +103,11 @@ class Solver:
             "finest_asked": finest_asked,
             "finest": finest.evidence.section.error,
             "seconds": self._processor_seconds(spec),
-            "preset": self._programs.absolute().parent.name,  # one with assertions takes longer
+            "preset": self._programs.absolute().parent.name,  # a build with assertions takes longer
         }
 
     def _finest_of(self, spec: Spec) -> tuple[float, Any]:
-        """The finest accuracy that is not refused, and its table."""
+        """Returns the finest accuracy that is not refused, and its table."""
         try:
             return FINEST, self._built(spec, FINEST)
         except InternalError as error:
@@ -117,7 +117,8 @@ class Solver:
         return coarser, self._built(spec, coarser)
 
     def _processor_seconds(self, spec: Spec) -> float:
-        """Of a builder by itself, whose start and end are in them: wall time would be that of whatever else runs."""
+        """Returns the processor time of a separate builder, including its start and end. Wall-clock time would depend
+        on other work."""
         columns = spec["columns"]
         request = {
             "material": {"G": STEEL.G, "nu": spec["nu"]},

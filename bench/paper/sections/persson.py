@@ -1,8 +1,8 @@
 """Compares a cylinder in a hole of nearly its own radius with Persson's closed form.
 
-Both tables are built by contactd-ic; wavenumber zero of their transforms is plane strain, which the closed form is for.
-The contact is solved here, by nothing but linear equations: it checks the tables, not contactd's solvers, which
-tests/core/fem/section/test_conformal_cylinders.cpp holds to the same closed form.
+Both tables are built by contactd-ic. Wavenumber zero of their transforms is plane strain, which the closed form
+assumes. The contact is solved here by linear equations alone. This checks the tables, not contactd's solvers;
+tests/core/fem/section/test_conformal_cylinders.cpp compares those with the same closed form.
 """
 
 from __future__ import annotations
@@ -35,14 +35,14 @@ def clearance(half_angle: float) -> float:
 
 
 def pressure(half_angle: float, angle: Array) -> Array:
-    """p R/Q where they touch."""
+    """Returns p R/Q of the strips in contact."""
     b, y = np.tan(half_angle / 2), np.tan(angle / 2)
     q, s = np.sqrt(1 + b**2), np.sqrt(np.maximum(b**2 - y**2, 0))
     return np.asarray(2 * s / (np.pi * q * (1 + y**2)) + np.log((q + s) / (q - s)) / (2 * np.pi * b**2 * (1 + b**2)))
 
 
 def plane_strain(binaries: Path, folder: Path, shape: str) -> tuple[Array, Array]:
-    """Angles of the strips, and normal displacements for normal tractions, shape [strip, loaded strip], for G = 1."""
+    """Returns angles of the strips, and normal displacements for normal tractions, shape [strip, loaded strip], for G = 1."""
     file = folder / f"{shape}.h5"
     ics = {"source": "fem", "body": "longitudinally_uniform", "accuracy": 1e-2, "section": {shape: BODIES[shape]}}
     grid = {"nx": 1, "ny": STRIPS, "dx": 1, "dy": 1}
@@ -58,7 +58,7 @@ def plane_strain(binaries: Path, folder: Path, shape: str) -> tuple[Array, Array
 
 
 def solve(compliance: Array, cosines: Array, gap: Array) -> Array:
-    """Pressures of strips of width 1 under the force 1: they close h + A p = delta cos where they are positive."""
+    """Returns pressures of strips of width 1 under the force 1. They satisfy h + A p = delta cos where they are positive."""
     touching = np.ones(len(gap), dtype=bool)
     while True:
         inside = np.flatnonzero(touching)
@@ -76,14 +76,15 @@ def solve(compliance: Array, cosines: Array, gap: Array) -> Array:
 
 
 def half_angle_of(angles: Array, p: Array) -> float:
-    """Where the square of the pressure, linear at its end, falls to zero: from strips that are wholly in contact."""
+    """Extrapolates the end of the contact, where the square of the pressure, linear near the end, is zero, from strips
+    that are fully in contact."""
     last = int(np.flatnonzero(p > 0)[-1])
     outer, inner = p[last - 1] ** 2, p[last - 3] ** 2
     return float(abs(angles[last - 1] + outer * (angles[last - 1] - angles[last - 3]) / (inner - outer)))
 
 
 class Cylinders:
-    """Both bodies, which are built when they are first used."""
+    """Both bodies, built at their first use."""
 
     def __init__(self, programs: Path) -> None:
         self._programs = programs
@@ -94,11 +95,11 @@ class Cylinders:
             (angles, hole), (_, disc) = (
                 plane_strain(self._programs, Path(folder), shape) for shape in ("plate_hole", "disc")
             )
-        return angles, hole + disc[::-1, ::-1]  # the disc's strips run the other way
+        return angles, hole + disc[::-1, ::-1]  # the disc's strips are numbered the other way
 
     def measure(self, degrees: float) -> dict[str, Any]:
-        """In the clearance that belongs to a half angle: that angle and the largest pressure as found, and pressures
-        p R/Q of the strips in contact."""
+        """Solves with the clearance of a half angle. Returns the resulting half angle and largest pressure, and
+        pressures p R/Q of the strips in contact."""
         angles, compliance = self._built
         half_angle = np.radians(degrees)
         gap = clearance(half_angle) * (1 - NU) / 2 * (1 - np.cos(angles))

@@ -1,8 +1,8 @@
 """Shows how errors of coefficients affect a contact on flat and curved surfaces: section 5 of the paper, plane strain.
 
 Flat: a cylinder between two deep slabs, which are equal. Curved: a cylinder in a hole of nearly its own radius. Both
-have the same strips and meshes of the same densities (bench/section_strips.cpp); what is compared is a mesh that is
-so fine that nothing is left to gain. The contact is that of persson.py: linear equations and nothing else.
+have the same strips, and meshes of the same densities (bench/section_strips.cpp). The reference is a mesh so fine that
+refining it changes nothing. The contact is solved as in persson.py, by linear equations alone.
 """
 
 from __future__ import annotations
@@ -21,11 +21,11 @@ from .persson import NU, RADIUS, STRIPS, clearance, half_angle_of, pressure, sol
 Array = npt.NDArray[np.float64]
 
 PROGRAM = "section_strips"
-#: Orders of elements, and edges a strip; the paper's are 2 and 4.
+#: Orders of elements, and edges per strip; the paper's are 2 and 4.
 MESHES = [(order, edges) for order in (1, 2) for edges in (1, 2, 4, 8) if order * edges > 1]
 FINEST = (5, 4)
 HALF_ANGLE = np.radians(60)  # of contact in the hole
-HALF_WIDTH = 60.3  # of contact on the flat, in strips: the same number of them
+HALF_WIDTH = 60.3  # of contact on the flat surface, in strips; the same number
 
 
 def gap_of(body: str, angles: Array) -> Array:
@@ -50,7 +50,7 @@ def symmetric(lower: list[float], size: int) -> Array:
 
 
 class Propagation:
-    """Compliances, which are computed when they are first used."""
+    """Compliances, computed at their first use."""
 
     def __init__(self, programs: Path) -> None:
         self._programs = programs
@@ -64,18 +64,20 @@ class Propagation:
         return {**result, "normal": symmetric(result["normal"], STRIPS)}
 
     def _compute(self, body: str, order: int, edges: int) -> tuple[Array, Array, int]:
-        """Angles of the strips (on the flat: their places over the radius), compliance of both bodies, unknowns."""
+        """Returns angles of the strips (on the flat surface: positions over the radius), compliance of both bodies, and
+        unknowns."""
         if body == "flat":
             slab = self._normal("slab", order, edges)
             return (np.arange(STRIPS) - (STRIPS - 1) / 2) / RADIUS, 2 * slab["normal"], slab["unknowns"]
         hole, disc = self._normal("plate_hole", order, edges), self._normal("disc", order, edges)
-        # The disc's strips run the other way.
+        # The disc's strips are numbered the other way.
         both = hole["normal"] + disc["normal"][::-1, ::-1]
         return np.array(hole["angles"]), both, hole["unknowns"] + disc["unknowns"]
 
     def measure(self, body: str, order: int, edges: int) -> dict[str, Any]:
-        """Errors against the finest mesh: of the coefficients over the one under the load, where it is in contact, and
-        of the contact; and of the finest mesh's largest pressure against the closed form."""
+        """Returns errors against the finest mesh: those of the coefficients, over the coefficient under the load, in
+        the contact, and those of the contact. Also returns the error of the finest mesh's largest pressure against the
+        closed form."""
         angles, found, unknowns = self._compliance(body, order, edges)
         _, exact, _ = self._compliance(body, *FINEST)
         solutions = [contact(body, angles, compliance) for compliance in (found, exact)]

@@ -13,7 +13,7 @@ COLUMNS = [*PLACE, *RESULTS]
 #: These parts have other columns.
 PART_RESULTS = {
     "tables": ["stated", "reciprocity", "found", "finest_asked", "finest", "seconds", "preset"],
-    "persson": ["p0", "p0_exact", "half_angle", "angles", "pressures"],  # lists are texts, with blanks between
+    "persson": ["p0", "p0_exact", "half_angle", "angles", "pressures"],  # lists are texts separated by blanks
     "groove": ["pmax", "approach"],
     "propagation": ["unknowns", "ic_origin", "ic_largest", "p0_error", "extent_error", "approach_error", "finest_error"],
     "solid": [

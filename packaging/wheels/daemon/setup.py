@@ -1,4 +1,5 @@
-"""What it runs on: it brings its own glibc, so that the machine's may be as old as its kernel lets it be."""
+"""The platform of the wheel. The wheel contains its own glibc, so that of the machine may be as old as its kernel
+supports."""
 
 from setuptools import setup
 

@@ -12,7 +12,7 @@ from setuptools.command.build_ext import build_ext
 
 class Copied(build_ext):
     def get_ext_filename(self, name: str) -> str:
-        return MODULE  # of the system that the wheel is for
+        return MODULE  # of the target system
 
     def build_extension(self, extension: Extension) -> None:
         target = self.get_ext_fullpath(extension.name)

@@ -1,4 +1,4 @@
-// `bodies` and `ics` of a request: the bodies' own coefficients, or a shorthand for both beside them.
+// Encodes and decodes `bodies` and `ics` of a request: coefficients of each body, or a shorthand for both.
 #include "codec_parts.hpp"
 #include "codec_section.hpp"
 #include "contactd/fields/body.hpp"
@@ -20,8 +20,8 @@ bool is_layered(const json& ics) {
     return ics.value("body", "") == name_of(BodyShape::layered);
 }
 
-// Coefficients mean nothing to simplified models; but a section is what the body is, and a line contact what the
-// contact is.
+// Simplified models ignore coefficients, except a line contact, which describes the contact. A section describes the
+// body and is refused.
 Ics ics_of_simplified_model(const json* ics) {
     Ics result;
     if (ics == nullptr) return result;
@@ -33,7 +33,7 @@ Ics ics_of_simplified_model(const json* ics) {
     return result;
 }
 
-/// The source that stands for both bodies, or null where they have different ones, tables, or layers.
+/// Returns the common source of both bodies; null if they have different sources, tables or layers.
 const Ics* shared_source(const Bodies& bodies) {
     const Ics* upper = bodies.upper.computed();
     const Ics* lower = bodies.lower.computed();
@@ -68,7 +68,7 @@ Body decode_body(const json& source, const json* shorthand, const std::string& f
         body.material = Material::rigid();
         return body;
     }
-    if (source.contains("ics") && is_layered(source["ics"])) {  // also with simplified models, which refuse them
+    if (source.contains("ics") && is_layered(source["ics"])) {  // also for simplified models, which refuse layers
         const Ics ics = decode_ics(source["ics"], frames);
         body.material = ics.layered->surface();
         body.ics = ics;

@@ -1,4 +1,4 @@
-// A rigid wheelset on rigid rails, of wheelrail.geometry.
+// Encodes and decodes the results of wheelrail.geometry for a rigid wheelset on rigid rails.
 #include <cmath>
 #include <limits>
 
@@ -11,7 +11,7 @@ namespace contactd::proto {
 
 using nlohmann::json;
 
-// A number that is not finite is left out: why follows from what is there.
+// Omits numbers that are not finite; the remaining ones show why.
 json encode_conicities(std::span<const EquivalentConicity> conicities) {
     json result = json::array();
     for (const auto& [amplitude, integrated, harmonic, wavelength] : conicities) {

@@ -1,4 +1,4 @@
-// Requests of contact.solve.
+// Encodes and decodes requests of contact.solve.
 #include "codec_parts.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fields/contact.hpp"
@@ -16,7 +16,7 @@ json encode_opening(const ContactProblem& problem, ArrayWriter& arrays) {
     return params;
 }
 
-// The model says what coefficients mean, and the grid what shape arrays have.
+// Reads the fields first: the model determines how coefficients are read, and the grid determines the shape of arrays.
 ContactProblem decode_opening(const json& params, const Frames& frames) {
     ContactProblem problem;
     read_fields(params, problem, MemberPath(""), {frames, &problem.grid});

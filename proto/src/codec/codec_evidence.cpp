@@ -1,4 +1,4 @@
-// `evidence` of a table.
+// Encodes and decodes `evidence` of a table.
 #include "codec_evidence.hpp"
 #include "contactd/fields/ic_table.hpp"
 #include "contactd/proto/codec.hpp"
@@ -7,8 +7,8 @@ namespace contactd::proto {
 
 using nlohmann::json;
 
-// A closed form, and a table that came with a request, have no build to speak of; and errors are known where
-// there is a closed form to compare with, or an estimate.
+// A closed form and a table from the request have no build. Errors are present only if they were computed against a
+// closed form or estimated.
 json write_evidence(const IcEvidence& evidence, const MemberPath& path) {
     json result = write_object(type_of<IcEvidence>(), &evidence, path, {});
     const bool is_built = evidence.elements > 0;

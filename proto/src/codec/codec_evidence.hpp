@@ -1,4 +1,4 @@
-// `evidence` of a table, of which a message has what applies to how it was made.
+// Encodes and decodes `evidence` of a table. A message contains only the parts that apply to the table's source.
 #pragma once
 
 #include "contactd/ic_table.hpp"

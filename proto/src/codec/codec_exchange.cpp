@@ -1,4 +1,4 @@
-// Tables that leave and enter: ic.export, and coefficients given with contact.solve.
+// Encodes and decodes tables that leave or enter: ic.export, and coefficients given with contact.solve.
 #include "codec_parts.hpp"
 #include "contactd/fields/ic_reply.hpp"
 #include "contactd/proto/codec.hpp"

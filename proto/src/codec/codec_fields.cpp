@@ -1,4 +1,4 @@
-// The arrays of a solution, of which a request may want some.
+// Encodes and decodes the arrays of a solution that a request selects.
 #include <algorithm>
 
 #include "codec_parts.hpp"
@@ -17,7 +17,7 @@ const Field& field_of(std::string_view array) {
     return *std::ranges::find(type_of<ContactSolution>().fields, array, &Field::name);
 }
 
-/// The numbers of an array that is not of bytes.
+/// Returns the numbers of an array that does not consist of bytes.
 std::vector<double>& numbers_of(std::string_view array, ContactSolution& solution) {
     return *static_cast<std::vector<double>*>(field_of(array).make(&solution));
 }
@@ -68,11 +68,11 @@ void encode_arrays(const ContactSolution& solution, const SolutionFields& fields
                    json& result) {
     for (const SolutionField field : fields) {
         const std::string name(name_of(field));
-        if (result.contains(name)) continue;  // asked for twice
+        if (result.contains(name)) continue;  // requested twice
         if (field == SolutionField::element_division) {
             const std::vector<unsigned char> division = bytes_of(solution.element_division);
             result[name] = arrays.write(std::span<const unsigned char>(division), shape_of(grid));
-        } else if (const auto& values = numbers_of(name, solution); !values.empty()) {  // slip needs friction
+        } else if (const auto& values = numbers_of(name, solution); !values.empty()) {  // slip: friction only
             result[name] = arrays.write(std::span<const double>(values), shape_of(grid));
         }
     }

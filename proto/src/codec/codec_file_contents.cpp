@@ -1,4 +1,4 @@
-// The contents of an IC file as JSON: attributes and datasets by their paths.
+// Encodes and decodes the contents of an IC file: attributes and datasets by their paths.
 #include <string>
 
 #include "codec_parts.hpp"
@@ -44,7 +44,7 @@ std::vector<std::string> texts_of(const json& list, const std::string& field) {
     return texts;
 }
 
-/// Names of letters, digits and _, joined by slashes.
+/// Returns whether the path consists of names of letters, digits and _, joined by slashes.
 void check_path(const std::string& path, const char* field) {
     const auto is_of_name = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';

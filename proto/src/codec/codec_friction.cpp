@@ -1,4 +1,5 @@
-// The motion that a result tells: as `friction` of a request, whose field `rolling` it is where bodies roll.
+// Encodes and decodes the motion in a result: the fields of `friction` of a request or, in rolling, those of its field
+// `rolling`.
 #include <utility>
 
 #include "codec_parts.hpp"

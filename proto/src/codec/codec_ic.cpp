@@ -46,7 +46,7 @@ IcSpec decode_ic_spec(const json& params) {
 IcSpec decode_ic_spec(const json& params, const Frames& frames) {
     const json& grid = params["grid"];
     IcSpec spec{decode_ics(params["ics"], frames), {}, 0, 0, 0, 0};
-    // The schema of an answer does not ask for it, as layers have materials of their own.
+    // The schema of an answer does not require the material, because layers have their own.
     if (!spec.layered && !params.contains(material_field))
         throw invalid_field(material_field, "is missing; a body without layers requires it");
     spec.material = spec.layered ? spec.layered->surface() : decode_material(params[material_field]);
@@ -59,7 +59,7 @@ IcSpec decode_ic_spec(const json& params, const Frames& frames) {
 
 namespace {
 
-/// Shape of a table; rows of a longitudinally uniform body's are pairs of columns.
+/// Returns the shape of a table. Rows of a longitudinally uniform body's table are pairs of columns.
 std::vector<std::size_t> table_shape(const IcSpec& spec) {
     const auto nx = static_cast<std::size_t>(spec.nx), ny = static_cast<std::size_t>(spec.ny);
     if (spec.section) return {3, 3, ny, ny, nx};

@@ -1,4 +1,4 @@
-// `ics` of a request, and the mesh that evidence speaks of.
+// Encodes and decodes `ics` of a request, and the mesh in evidence.
 #include <algorithm>
 #include <utility>
 
@@ -15,14 +15,14 @@ using nlohmann::json;
 
 constexpr double default_accuracy = 1e-3;
 
-/// Whether the request names a mesh or a solver. The size of a block belongs to the body.
+/// Returns whether the request specifies a mesh or a solver. The size of a block belongs to the body.
 bool names_a_mesh(const json& ics, BodyShape body) {
     return ics.contains("preset") || std::ranges::any_of(type_of<FemSpec>().fields, [&](const Field& field) {
                return ics.contains(field.name) && !(body == BodyShape::block && field.name == "L_over_h");
            });
 }
 
-/// The mesh that fields of the request change.
+/// Returns the mesh that fields of the request modify: the preset, or the default.
 FemSpec base_mesh(const json& ics, BodyShape body) {
     FemSpec fem;
     if (body == BodyShape::block) fem.far_boundary = FarBoundary::clamped;
@@ -42,7 +42,7 @@ void decode_fem(const json& source, FemSpec& fem) {
     read_fields(source, fem, MemberPath("ics"));
 }
 
-// Leaves out fields that mean nothing to a source.
+// Omits fields that do not apply to the source.
 json encode_ics(const Ics& ics) {
     json result = write_fields(ics, MemberPath("ics"));
     const bool is_built = ics.source == IcSource::fem;

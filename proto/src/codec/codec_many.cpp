@@ -1,4 +1,5 @@
-// contact.solve_many: the messages of contact.solve, side by side; and the results of all that are done side by side.
+// Encodes and decodes contact.solve_many, the messages of contact.solve side by side, and the results of all methods
+// with several parts.
 #include <algorithm>
 #include <iterator>
 #include <string>
@@ -14,7 +15,7 @@ using nlohmann::json;
 
 constexpr std::size_t beyond_counting = std::size_t{1} << 40u;
 
-/// Elements of the array that a reference, which has passed its schema, claims to have.
+/// Returns the number of elements that a reference claims. The reference has passed its schema.
 std::size_t claimed_elements(const json& reference) {
     std::size_t elements = 1;
     for (const json& extent : reference["shape"])
@@ -22,7 +23,8 @@ std::size_t claimed_elements(const json& reference) {
     return elements;
 }
 
-/// Elements of all arrays below `node` that are references; those of lists were counted when the envelope was read.
+/// Returns the number of elements of all referenced arrays below `node`. Those of lists were counted when the envelope
+/// was read.
 std::size_t referred_elements(const json& node) {
     if (!node.is_object()) return 0;
     if (const auto reference = node.find("$array"); reference != node.end()) return claimed_elements(*reference);
@@ -39,7 +41,7 @@ json encode_problems(std::span<const ContactProblem> problems, ArrayWriter& arra
     return {{"problems", std::move(list)}};
 }
 
-// One frame of a small message may stand for the arrays of every problem: what these take is limited, too.
+// One frame of a small message can provide the arrays of every problem, so their total size is limited, too.
 void check_referred_elements(const json& problems, const MessageLimits& limits) {
     std::size_t elements = 0;
     for (const json& problem : problems) elements += referred_elements(problem);

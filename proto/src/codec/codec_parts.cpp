@@ -31,7 +31,7 @@ Grid decode_grid(const json& source) {
                                   source["dy"].get<double>());
     grid.x0 = source.value("x0", grid.x0);
     grid.y0 = source.value("y0", grid.y0);
-    // Before anything of its size is allocated.
+    // This check precedes any allocation of the claimed size.
     try {
         validate(grid, "grid");
     } catch (const InvalidArgument& error) {

@@ -48,7 +48,8 @@ json encode_profile(const ProfileSpec& profile, ArrayWriter& arrays) {
     return write_object(type_of<ProfileSpec>(), &profile, MemberPath("profile"), {&arrays});
 }
 
-// Parameters that are left out are those of a new shape, not of one that is there by default. A formula says all.
+// Parameters that are omitted have the defaults of the new shape, not the values of the current one. A formula has no
+// settings of points.
 void decode_profile(const json& source, ProfileSpec& profile, const Frames& frames, const std::string& field) {
     profile.shape = {};
     for (const char* curve : {"arc", "cone"})

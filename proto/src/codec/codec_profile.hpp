@@ -1,4 +1,4 @@
-// A profile, by its formula or by points.
+// Encodes and decodes a profile, given by a formula or by points.
 #pragma once
 
 #include <string>
@@ -12,13 +12,13 @@
 namespace contactd::proto {
 
 nlohmann::json encode_profile(const ProfileSpec& profile, ArrayWriter& arrays);
-/// Replaces the shape; which of both bodies the profile is of stays. `field` is where it stands. Throws StatusError for
-/// points that are too many or no pairs, and for ends in the wrong order.
+/// Replaces the shape and keeps the kind of the body. `field` is the profile's path. Throws StatusError for too many
+/// points, points that are not pairs, and ends in the wrong order.
 void decode_profile(const nlohmann::json& source, ProfileSpec& profile, const Frames& frames, const std::string& field);
 
-/// Points as an array [n, 2] of y and z.
+/// Encodes points as an array [n, 2] of y and z.
 nlohmann::json encode_pairs(const std::vector<ProfilePoint>& points, ArrayWriter& arrays);
-/// Throws StatusError naming `field` for points that are too many or no pairs.
+/// Throws StatusError naming `field` for too many points and for points that are not pairs.
 std::vector<ProfilePoint> decode_pairs(const nlohmann::json& source, const Frames& frames, const std::string& field);
 
 }  // namespace contactd::proto

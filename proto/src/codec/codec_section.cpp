@@ -22,7 +22,7 @@ template <class Value>
 json encode(const Value& value);
 json encode(const ProfileSection& section);
 
-/// An alternative stands under its own name in the place of the field that holds it.
+/// Writes a value under its name; an alternative of a variant has its own name, which replaces that of the field.
 template <class Value>
 void put(json& object, const char* name, const Value& value) {
     object[name] = encode(value);
@@ -33,7 +33,7 @@ void put(json& object, const char*, const std::variant<Alternatives...>& value) 
     std::visit([&](const auto& alternative) { object[names[value.index()]] = encode(alternative); }, value);
 }
 
-/// A profile as wheels and rails have it, and whose it is.
+/// Encodes a profile with the fields of wheels and rails, and the kind of its body.
 json encode(const ProfileSection& section) {
     ArrayWriter plain_lists(ArrayEncoding::list);
     return object({{"kind", name_of(section.profile.kind)},

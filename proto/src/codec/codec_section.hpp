@@ -1,4 +1,4 @@
-// The cross-section of a longitudinally uniform body.
+// Encodes and decodes the cross-section of a longitudinally uniform body.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace contactd::proto {
 
-/// Points of a profile as plain lists.
+/// Encodes points of a profile as plain lists.
 nlohmann::json encode_section(const Section& section);
-/// Section of an object that has passed its schema. Throws StatusError where there is not exactly one shape, or one
-/// curve of a part, and for points of a profile that are no pairs, in `frames` or not.
+/// Decodes the section of an object that has passed its schema. Throws StatusError unless there is exactly one shape,
+/// and one curve for each part, and for points of a profile that are not pairs, whether in `frames` or not.
 Section decode_section(const nlohmann::json& source, const Frames& frames, const std::string& field);
 
-/// Decodes as decode_ics of codec_parts.hpp does, for a request whose section may hold arrays.
+/// Decodes like decode_ics of codec_parts.hpp, for a request whose section may contain arrays.
 Ics decode_ics(const nlohmann::json& json, const Frames& frames);
 
 }  // namespace contactd::proto

@@ -1,5 +1,5 @@
-// session.open, session.info and session.step: the messages of contact.solve, of which a step carries only what
-// changes.
+// Encodes and decodes session.open, session.info and session.step: the messages of contact.solve, reduced in a step to
+// the fields that change.
 #include "contactd/proto/session.hpp"
 
 #include <array>
@@ -16,13 +16,13 @@ namespace {
 
 using nlohmann::json;
 
-/// All components of the force are said, so that none of session.open stays by accident.
+/// Writes all components of the force, so that a step does not inherit one from session.open by accident.
 void say_force(json& motion) {
     if (!motion.contains("force")) motion["force"] = {nullptr, nullptr};
 }
 
-/// Where the step prescribes a force and names no estimate of the creepage, the last step knows a better one than
-/// session.open. Of shifts it does not: what shifted the bodies then says nothing of what is left to shift.
+/// Takes the creepages of the previous step as the estimate for a prescribed force, unless the step gives one: they are
+/// closer than those of session.open. A previous shift is not a useful estimate of the next one.
 void take_estimates(const json& friction, const Motion& last, Motion& motion) {
     const auto* before = std::get_if<Rolling>(&last);
     auto* rolling = std::get_if<Rolling>(&motion);
@@ -46,7 +46,7 @@ void apply_friction(const json& params, const Frames& frames, ContactProblem& pr
 
 json encode_session_spec(const SessionSpec& spec, ArrayWriter& arrays) {
     ContactProblem problem{spec.setup, spec.load};
-    problem.initial = {};  // a session starts its steps where the one before ended
+    problem.initial = {};  // steps of a session start where the previous step ended
     json params = encode_opening(problem, arrays);
     if (spec.lease_seconds) params["lease_seconds"] = finite_field(*spec.lease_seconds, "lease_seconds");
     params["accept_unconverged"] = spec.accept_unconverged;

@@ -1,4 +1,4 @@
-// Results of contact.solve.
+// Encodes and decodes results of contact.solve.
 #include "codec_parts.hpp"
 #include "contactd/fields/contact.hpp"
 #include "contactd/fields/ic_reply.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-/// With friction; a step that the request left out is told.
+/// Encodes the motion of a problem with friction, including dq if the request omitted it.
 json encode_motion_of(const Motion& motion, const Grid& grid) {
     try {
         json result = encode_motion(motion);
@@ -23,7 +23,7 @@ json encode_motion_of(const Motion& motion, const Grid& grid) {
             result["dq"] = finite_field(step_length(*rolling, grid), "friction.rolling.dq");
         return result;
     } catch (const InvalidArgument& error) {
-        throw Error(error.what());  // found, not asked for
+        throw Error(error.what());  // the value was computed, not requested
     }
 }
 

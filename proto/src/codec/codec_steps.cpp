@@ -1,4 +1,4 @@
-// session.step_many: the messages of session.step, side by side.
+// Encodes and decodes session.step_many: the messages of session.step, side by side.
 #include <utility>
 
 #include "contactd/proto/session.hpp"

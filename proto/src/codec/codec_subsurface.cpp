@@ -1,4 +1,4 @@
-// contact.subsurface.
+// Encodes and decodes contact.subsurface.
 #include <algorithm>
 #include <cmath>
 
@@ -17,10 +17,10 @@ using Values = std::vector<double>;
 
 constexpr std::size_t arrays_of_result = 7, arrays_of_invariants = 5, arrays_of_displacement = 3;
 constexpr std::size_t longest_axis = 4'000'000;  // of an array on the wire
-/// Squares of what is larger leave the range of a double.
+/// The squares of larger tractions exceed the range of a double.
 constexpr double largest_traction = 1e100;
 
-/// Something's tractions or stresses with their names; it may be const.
+/// Returns pointers to the tractions of a request, which may be const, with their names.
 template <class Request>
 auto tractions_of(Request& request) {
     return std::array{std::pair("pressure", &request.pressure), std::pair("traction_x", &request.traction_x),
@@ -49,7 +49,7 @@ json write(const Values& values, const Shape& shape, ArrayWriter& arrays) {
     return arrays.write(std::span<const double>(values), shape);
 }
 
-/// Results are limited before anything the size of one is made; `points` may be too many for an integer.
+/// Limits the size of results before any of that size is allocated. `points` may exceed the range of an integer.
 void check_number(double points, std::size_t arrays, const char* field, const MessageLimits& limits) {
     const std::size_t most = std::min(limits.max_array_elements / arrays, longest_axis);
     if (points > static_cast<double>(most))

@@ -1,4 +1,4 @@
-// contact.temperature.
+// Encodes and decodes contact.temperature.
 #include "codec_parts.hpp"
 #include "contactd/fields/temperature.hpp"
 #include "contactd/proto/codec.hpp"
@@ -17,7 +17,7 @@ auto arrays_of(Request& request) {
                       std::pair("slip_y", &request.slip_y)};
 }
 
-/// Those that may be left out.
+/// Returns the optional arrays.
 template <class Request>
 auto optional_arrays_of(Request& request) {
     return std::array{std::pair("flow_x", &request.flow_x), std::pair("flow_y", &request.flow_y)};

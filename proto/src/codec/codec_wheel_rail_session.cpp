@@ -1,4 +1,5 @@
-// session.open, session.step and their replies, of wheels on rails: the fields of wheelrail.solve below `wheelrail`.
+// Encodes and decodes session.open, session.step and their replies for wheels on rails: the fields of wheelrail.solve
+// below `wheelrail`.
 #include <utility>
 
 #include "codec_parts.hpp"

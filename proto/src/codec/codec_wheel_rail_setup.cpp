@@ -1,4 +1,4 @@
-// `setup` of wheelrail.*.
+// Encodes and decodes `setup` of wheelrail.*.
 #include <span>
 
 #include "codec_parts.hpp"

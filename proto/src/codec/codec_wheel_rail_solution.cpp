@@ -1,4 +1,4 @@
-// Results of wheelrail.*.
+// Encodes and decodes results of wheelrail.*.
 #include <span>
 #include <utility>
 

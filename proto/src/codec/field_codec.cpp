@@ -24,7 +24,7 @@ json write_list(const FieldType& type, const void* list, const MemberPath& path,
     return result;
 }
 
-/// Discarded where none of the values is there.
+/// Returns a discarded value if none of the values is present.
 json write_tuple(const FieldType& type, const void* owner, const MemberPath& path) {
     json result = json::array();
     bool any = false;
@@ -42,13 +42,13 @@ std::int64_t value_of_keyword(std::string_view keyword, const FieldType& type) {
     return at - type.keywords.begin();
 }
 
-/// Calls visit(field, value) for each field that a message holds.
+/// Calls visit(field, value) for each field that a message contains.
 template <class Visit>
 void each_given_field(const json& source, const FieldType& type, const Visit& visit) {
     for (const Field& field : type.fields)
         if (const auto given = source.find(field.name); given != source.end()) visit(field, *given);
 }
-/// Names mostly come in the order of the fields: each is looked for from behind the last one on.
+/// Names mostly arrive in the order of the fields, so each search starts after the last match.
 template <class Visit>
 void each_given_field(const AnswerValue& source, const FieldType& type, const Visit& visit) {
     std::size_t after = 0;
@@ -137,7 +137,7 @@ std::string MemberPath::text() const {
     return above.empty() ? std::string(name_) : above + "." + std::string(name_);
 }
 
-// An object that says nothing is left out where its field is always there, and required of nobody.
+// An empty object is omitted if its field is always present in C++ and not required on the wire.
 json write_object(const FieldType& type, const void* owner, const MemberPath& path, const Writing& with) {
     json::object_t object;
     for (const Field& field : type.fields) {

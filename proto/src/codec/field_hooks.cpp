@@ -1,4 +1,4 @@
-// Types whose form on the wire is another one than that of their fields.
+// Converts types whose form on the wire differs from that of their fields.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -44,7 +44,7 @@ void read_profile(const json& source, void* value, const MemberPath& path, const
     decode_profile(source, as<ProfileSpec>(value), with.frames, path.text());
 }
 
-/// One frame may be the points of many slices, each of which has its own: they are counted as they are read.
+/// One frame can provide the points of many slices, each with its own copy, so points are counted while they are read.
 template <class Slice>
 void read_slices(const json& source, void* value, const MemberPath& path, const Reading& with) {
     auto& slices = as<std::vector<Slice>>(value);
@@ -168,7 +168,7 @@ void read_coefficient(const json& source, void* value, const MemberPath& path, c
         read_grid_array(source, value, path, with);
 }
 
-/// A paraboloid that the wire cannot express is sent as distances.
+/// Sends a paraboloid that the wire cannot express as distances.
 json write_gap(const void* value, const MemberPath& path, const Writing& with) {
     const auto& gap = as<Gap>(value);
     constexpr double largest_radius = 1e12, flat = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// Tells which fields a message leaves out.
+// Determines which fields a message omits.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ inline bool is_left_to_the_message(const FieldType& type) {
     return hook != nullptr && hook->write == nullptr && hook->read == nullptr;
 }
 
-/// Returns whether a field that is there says nothing all the same.
+/// Returns whether the value of a present field means that it is absent.
 inline bool is_none(const Field& field, const void* value) {
     const FieldType& type = field.type();
     if (type.kind == FieldKind::number) return *static_cast<const double*>(value) == field.none;

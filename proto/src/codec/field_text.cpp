@@ -29,7 +29,7 @@ void append_finite(std::string& text, double number, const MemberPath& path) {
     append_number(text, number);
 }
 
-/// Returns whether anything was appended, as append_any does.
+/// Returns whether anything was appended, like append_any.
 bool append_tuple(std::string& text, const FieldType& type, const void* owner, const MemberPath& path) {
     const std::size_t before = text.size();
     bool any = false;

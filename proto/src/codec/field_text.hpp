@@ -1,5 +1,5 @@
-// Writes structs by their lists of fields as the text of JSON, without a document in between. The text says what a
-// document of write_answer would.
+// Writes structs by their lists of fields as JSON text, without an intermediate document. The text equals that of
+// write_answer's document.
 #pragma once
 
 #include <string>

@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array<std::string_view, 9> names{"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
-/// For the envelope beside the frame.
+/// Reserved for the envelope beside the frame.
 constexpr std::size_t envelope_bytes = 64 << 10;
 
 std::size_t most_numbers(const MessageLimits& limits) {
@@ -36,7 +36,7 @@ int component_of(const json& name) {
     return static_cast<int>(at - names.begin());
 }
 
-/// Request that would fit instead.
+/// Describes a request whose answer fits.
 std::string advice(const IcPart& part, int nx, std::size_t most) {
     const auto columns = static_cast<std::size_t>(nx);
     if (const std::size_t rows = most / (columns * count(part)); rows > 0)

@@ -12,7 +12,7 @@ namespace contactd::proto {
 
 using nlohmann::json;
 
-/// Parses one document; each part returns false where the text is not JSON.
+/// Parses one document; each part returns false if the text is not JSON.
 class AnswerParser {
    public:
     AnswerParser(std::string_view text, AnswerText& result)
@@ -21,7 +21,7 @@ class AnswerParser {
     }
 
     bool document() {
-        skip("\xef\xbb\xbf");  // a mark of the order of bytes, of which UTF-8 has one only
+        skip("\xef\xbb\xbf");  // a byte order mark, which UTF-8 does not need
         skip_space();
         if (!value(0)) return false;
         skip_space();
@@ -141,7 +141,7 @@ class AnswerParser {
     bool fraction(std::string_view token) {
         double number = 0;
         if (std::from_chars(token.data(), token.data() + token.size(), number).ec != std::errc{}) {
-            // Too large for a double, which is wrong, or too small, which is next to zero.
+            // The number is either too large for a double, which is an error, or too small, which counts as zero.
             const json other = json::parse(token, nullptr, false);
             if (!other.is_number()) return false;
             number = other.get<double>();
@@ -169,7 +169,7 @@ class AnswerParser {
         made.size = static_cast<std::uint32_t>(size);
     }
 
-    /// A text with escapes or other characters than those of ASCII, by nlohmann's reader.
+    /// Reads a text with escapes or characters beyond ASCII through nlohmann-json.
     bool rare_text(const char* begin) {
         while (at_ != end_ && *at_ != '"') at_ += *at_ == '\\' && at_ + 1 != end_ ? 2 : 1;
         if (at_ == end_) return false;

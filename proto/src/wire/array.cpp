@@ -29,7 +29,7 @@ std::string text_of(const Shape& shape) {
     return "[" + text + "]";
 }
 
-/// The product of a shape, or the largest size_t when it does not fit.
+/// Returns the product of a shape, or the largest size_t if it does not fit.
 std::size_t count_of(const Shape& shape) {
     std::size_t count = 1;
     for (const std::size_t n : shape) {
@@ -85,7 +85,7 @@ Frame frame_of(std::span<const T> values) {
     throw invalid_field(field, problem, reason::array_invalid);
 }
 
-/// One array of a message being read.
+/// Reads one array of a message.
 template <class T, class Values = std::vector<T>>
 class ArrayReader {
    public:
@@ -123,7 +123,8 @@ class ArrayReader {
         index_.pop_back();
     }
 
-    /// For sentences: texts of millions of places would take longer than their numbers.
+    /// Describes the position only in errors: creating texts for millions of positions would take longer than reading
+    /// the numbers.
     std::string where() const { return index_.empty() ? "" : " at " + text_of(index_); }
 
     void append_number(const json& node) {
@@ -255,7 +256,7 @@ std::vector<unsigned char> read_byte_array(const json& source, const Frames& fra
 }
 
 void append_moved(std::string& text, std::string_view message, std::size_t count) {
-    // Within a text of JSON quotes have a backslash before them, so that this is found where it is a name only.
+    // Quotes within a JSON text are escaped by a backslash, so this pattern is only found as a name.
     constexpr std::string_view reference = "\"$array\":{", number = "\"frame\":";
     for (std::size_t at = count == 0 ? message.npos : message.find(reference); at != message.npos;
          at = message.find(reference)) {

@@ -1,4 +1,4 @@
-// Rules and readers look at a value by these functions, whether it is a nlohmann::json or a value of an AnswerText.
+// Gives rules and readers the same access to a nlohmann::json and to a value of an AnswerText.
 #pragma once
 
 #include <cstdint>
@@ -69,7 +69,7 @@ inline std::size_t size_of(const AnswerValue& value) {
     return value.size();
 }
 
-/// Returns a pointer to the member, or an optional with it: either is false where there is none.
+/// Returns a pointer to the member, or an optional with it; both are false if there is none.
 inline const nlohmann::json* member_of(const nlohmann::json& object, std::string_view name) {
     const auto at = object.find(name);
     return at == object.end() ? nullptr : &*at;
@@ -85,7 +85,7 @@ inline nlohmann::json as_json(const AnswerValue& value) {
     return value.json();
 }
 
-/// Calls visit(name, member) until one returns false, and returns whether none has.
+/// Calls visit(name, member) until one call returns false; returns whether none did.
 template <class Visit>
 bool all_members(const nlohmann::json& object, const Visit& visit) {
     for (auto at = object.begin(); at != object.end(); ++at)
@@ -99,7 +99,7 @@ bool all_members(const AnswerValue& object, const Visit& visit) {
     return true;
 }
 
-/// Calls visit(element) until one returns false, and returns whether none has.
+/// Calls visit(element) until one call returns false; returns whether none did.
 template <class Value, class Visit>
 bool all_elements(const Value& list, const Visit& visit) {
     for (const auto& element : list)

@@ -20,8 +20,8 @@ bool is_letter_or_sign(char c) {
     return std::isalpha(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+';
 }
 
-/// "NaN", "-Infinity", ... as other languages write them, when the character at `at` belongs to such a token; else
-/// empty.
+/// Returns the token of a number that is not finite at `at`, such as "NaN" or "-Infinity" of other languages; otherwise
+/// an empty text.
 std::string_view non_finite_token(std::string_view text, std::size_t at) {
     if (!is_letter_or_sign(text[at])) return {};
     std::size_t begin = at, end = at;
@@ -46,7 +46,7 @@ class EventReader : public nlohmann::json_sax<json> {
     bool boolean(bool value) override { return put(value); }
     bool number_integer(number_integer_t value) override { return put(value); }
     bool number_unsigned(number_unsigned_t value) override {
-        // Kept as a signed integer or a double, so that no reader further on sees it wrapped round.
+        // The number is kept as a signed integer or a double, so that no later reader sees it wrapped around.
         constexpr auto largest = static_cast<number_unsigned_t>(std::numeric_limits<std::int64_t>::max());
         return value <= largest ? put(value) : put(static_cast<double>(value));
     }
@@ -94,7 +94,7 @@ class EventReader : public nlohmann::json_sax<json> {
             parent.push_back(std::move(value));
             return &parent.back();
         }
-        // RFC 8259 leaves the meaning of a repeated key to its reader, of which there are several: see RFC 7493, 2.3.
+        // RFC 8259 leaves the meaning of a repeated key to its readers, which differ: see RFC 7493, 2.3.
         const auto [member, is_new] = parent.get_ref<json::object_t&>().try_emplace(open_.back().key, std::move(value));
         if (!is_new) refuse_repetition();
         return &member->second;
@@ -119,11 +119,11 @@ class EventReader : public nlohmann::json_sax<json> {
         return true;
     }
 
-    /// The field being read, below "params" named from there; empty outside of any field.
+    /// Returns the path of the field being read, relative to "params" if it is below; empty outside any field.
     std::string field() const {
         std::string path;
         for (const Open& level : open_) {
-            // An entry that is a list or an object itself is in its list already, any other is not yet.
+            // An entry that is itself a list or an object is already in its list; any other entry is not.
             const bool innermost = &level == &open_.back();
             if (level.value->is_array())
                 path += "[" + std::to_string(level.value->size() - (innermost ? 0 : 1)) + "]";
@@ -146,7 +146,7 @@ class EventReader : public nlohmann::json_sax<json> {
         throw invalid_field(field(), "is given twice; keys of an object must be unique", reason::not_json);
     }
 
-    /// For what is wrong with the whole envelope, found at the field being read.
+    /// Reports an error that concerns the whole envelope, found at the field being read.
     [[noreturn]] void fail(std::string_view why, const std::string& problem) const {
         Status status{StatusCode::invalid_argument, std::string(what_) + " " + problem + ".", std::string(why), {}, 0};
         if (std::string name = field(); !name.empty()) status.violations.push_back({std::move(name), problem});

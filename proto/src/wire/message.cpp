@@ -12,7 +12,7 @@ namespace contactd::proto {
 namespace {
 
 constexpr std::size_t max_id_characters = 128;
-/// Values an envelope may hold beside those of its arrays.
+/// Largest number of values in an envelope in addition to those of its arrays.
 constexpr std::size_t values_beside_arrays = 10'000;
 
 [[noreturn]] void limit_exceeded(const std::string& what, std::size_t is, std::size_t limit) {
@@ -42,10 +42,10 @@ void check_limits(std::size_t envelope_bytes, const Frames& frames, const Messag
         limit_exceeded("The number of bytes of the message", bytes, limits.max_message_bytes);
 }
 
-/// Before the rest of the envelope, which in another version may be another one.
+/// This check comes first, because the rest of the envelope may differ in another version.
 void check_version(const nlohmann::json& envelope) {
     const auto at = envelope.find("contactd");
-    if (at == envelope.end() || !at->is_number_integer()) return;  // for the schema to say
+    if (at == envelope.end() || !at->is_number_integer()) return;  // the schema reports it
     const auto served = [&](int version) { return *at == version; };
     if (std::any_of(protocol_versions.begin(), protocol_versions.end(), served)) return;
     Status status{StatusCode::unimplemented, {}, std::string(reason::protocol_version), {}, 0};

@@ -1,4 +1,4 @@
-// Reads what a caller passes, and refuses null pointers, numbers that are none, and arrays that are too short.
+// Reads a caller's arguments, and refuses null pointers, numbers that are not finite, and arrays that are too short.
 #pragma once
 
 #include <limits>
@@ -12,24 +12,24 @@ namespace contactd::cntc {
 using cases::positive;
 using cases::whole;
 
-inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  ///< where a number does not exist
+inline constexpr double nothing = std::numeric_limits<double>::quiet_NaN();  ///< stands for a missing number
 
-/// Throws Refused where the pointer is null.
+/// Throws Refused if the pointer is null.
 void require(const void* pointer, const char* name);
 int integer(const int* value, const char* name);
-/// Finite.
+/// Throws Refused unless the number is finite.
 double number(const double* value, const char* name);
 
-/// `count` numbers, all of them finite; `least` of them are needed.
+/// Reads `count` finite numbers; at least `least` are required.
 std::vector<double> numbers(const double* values, const int* count, int least, const char* name);
-/// A list of `size` numbers; what an array holds beyond them is not read.
+/// Reads a list of `size` numbers, and ignores the rest of the array.
 std::vector<double> list(const double* values, const int* count, int size, const char* name);
 std::span<const int> integers(const int* values, const int* count, int least, const char* name);
 
-/// An array to be filled, of which `least` numbers are needed. Whatever it is too short for is no number.
+/// Returns an array to fill, with NaN in every element. Throws Refused if it has fewer than `least` elements.
 std::span<double> room(double* values, const int* count, std::size_t least, const char* name);
 
-/// Sets outputs to NaN, which stays until there is a number; does nothing where the caller passes null.
+/// Sets outputs to NaN, which remains if the call fails. A null pointer is ignored.
 void clear(double* value);
 void clear(double* values, const int* count);
 

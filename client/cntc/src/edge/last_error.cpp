@@ -25,7 +25,8 @@ LastError& last_error() {
 
 std::atomic<bool> prints{true};
 
-/// Whether a sentence is new. Of a program that makes ever new ones no more than some are printed.
+/// Returns whether a sentence is new. The number of printed sentences is limited, because a program may produce new
+/// ones for ever.
 bool is_new(const std::string& sentence) {
     constexpr std::size_t most = 1000;
     static std::mutex mutex;
@@ -49,7 +50,7 @@ int report(const char* function) noexcept {
         error.code = refused.code();
         error.sentence = std::string(function) + ": " + refused.what();
         if (prints && is_new(error.sentence)) std::fprintf(stderr, "contactd: %s\n", error.sentence.c_str());
-    } catch (...) {  // no memory for the sentence; the code stands
+    } catch (...) {  // no memory for the sentence; the code is returned
     }
     return error.code;
 }

@@ -1,4 +1,4 @@
-// How the library says no inside: the edge makes a code and a sentence of it.
+// Defines the exception for refused calls, which the edge of the library turns into a code and a message.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace contactd::cntc {
 
-/// A call that cannot be carried out; `what()` is a whole sentence.
+/// A refused call. `what()` is a whole sentence.
 class Refused : public Error {
    public:
     Refused(int code, const std::string& sentence) : Error(sentence), code_(code) {}
@@ -17,7 +17,7 @@ class Refused : public Error {
     int code_;
 };
 
-/// The refusal that stands for the exception being handled.
+/// Returns the refusal that corresponds to the exception being handled.
 Refused refused_of_exception();
 
 }  // namespace contactd::cntc

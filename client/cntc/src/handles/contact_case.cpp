@@ -71,7 +71,7 @@ int calculate(ProblemCase& problem) {
     problem.current = true;
     Solved& solved = *problem.solved;
     ContactEvidence evidence = solved.solution.evidence;
-    if (solved.problem.settings.outer.max_iterations == 1) evidence.outer.reset();  // one was asked for
+    if (solved.problem.settings.outer.max_iterations == 1) evidence.outer.reset();  // a single iteration was requested
     require_converged(evidence);
     if (const int digit = settings.digits.sensitivities; digit >= 2)
         solved.sensitivities = sensitivities(solved.problem, solved.solution, problem.solver, digit == 3);

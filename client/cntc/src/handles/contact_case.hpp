@@ -1,4 +1,4 @@
-// One contact problem of a result element: what was set, and what came of the last solve.
+// One contact problem of a result element: its settings, and the results of the last solve.
 #pragma once
 
 #include <map>
@@ -11,36 +11,36 @@
 
 namespace contactd::cntc {
 
-/// Seconds that solves took.
+/// Durations of the solves (s).
 struct CalculationTime {
     double cpu = 0, wall = 0;
 };
 
 struct ProblemCase {
-    std::mutex mutex;  ///< held by whoever uses the rest
+    std::mutex mutex;  ///< guards the other members
     Settings settings;
     ContactSolver solver;
-    std::optional<Solved> solved;       ///< the last case, which the next one may continue from
-    Grid requested;                     ///< of the last solve; a step may go on with others
-    bool current = false;               ///< whether it is what was asked for last: a refused case cannot be read
+    std::optional<Solved> solved;       ///< the last case, from which the next one may continue
+    Grid requested;                     ///< grid of the last solve; a step may continue with another
+    bool current = false;               ///< true if it belongs to the last request; a refused case has no results
     std::map<int, SolvedBlock> blocks;  ///< of the last solve
     CalculationTime time;
 };
 
-/// Throws Refused where the last case was not solved.
+/// Returns the solution. Throws Refused if the last case was not solved.
 const Solved& solution_of(const ProblemCase& problem);
 
-/// The elements: of the last solve as long as the same are set. Throws as cases::grid_of does.
+/// Returns the grid: that of the last solve as long as its settings are unchanged. Throws as cases::grid_of does.
 Grid grid_of(const ProblemCase& problem);
 
-/// Throws Refused where a solver missed its tolerance.
+/// Throws Refused if a solver missed its tolerance.
 void require_converged(const ContactEvidence& evidence);
 
-/// Warns of a memory of friction that a simplified theory does not have.
+/// Warns of friction with memory, which simplified theories ignore.
 void warn_of_memory(const Settings& settings);
 
-/// Solves what is set, and keeps it. Returns what cntc_calculate answers where it is not negative. Throws Refused,
-/// where solvers missed their tolerances with what they found kept.
+/// Solves the current settings and stores the solution. Returns the result of cntc_calculate unless it is negative.
+/// Throws Refused; after a missed tolerance the solution is stored nevertheless.
 int calculate(ProblemCase& problem);
 
 }  // namespace contactd::cntc

@@ -42,13 +42,14 @@ bool on_rails(const Settings& settings) {
     return settings.module != module_number::basic_contact;
 }
 
-/// Output, limits and threads of the other program.
+/// Returns whether the code concerns output, limits or threads of the other program.
 bool means_nothing(int code) {
     static constexpr std::array codes{1981, 1984, 1985, 1987, 1989, 1991, 1992, flag::most_elements};
     return std::ranges::find(codes, code) != codes.end() || (code >= 2000 && code <= 2009);
 }
 
-/// A thin sheet and coefficients from a file, whose numbers no function takes.
+/// Returns whether the value requires numbers that no function accepts: those of a thin sheet, or coefficients from a
+/// file.
 bool is_of_files(int code, int value) {
     return (code == flag::bound && value == 1) || (code == flag::influence && value == 9);
 }

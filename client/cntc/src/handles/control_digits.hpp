@@ -1,4 +1,4 @@
-// The flags of a contact problem: which there are, and which of their values contactd has.
+// Flags of a contact problem, and the values that contactd supports.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace contactd::cntc {
 
-/// Returns a flag's value; nothing where the code means nothing for the module.
+/// Returns a flag's value, or nothing if the code does not apply to the module.
 std::optional<int> digit_of(const Settings& settings, int code);
-/// Throws Refused where contactd does not have the value, and changes nothing then. A code that means nothing here has
-/// no effect: output, threads, and of basic contact the control of wheel on rail. 0 and 1 keep discretisation and
-/// coefficients as they are.
+/// Sets a flag. Throws Refused without any change for a value that contactd does not support. A code that does not
+/// apply has no effect: output, threads and, in basic contact, the control of wheel on rail. The values 0 and 1 keep
+/// discretisation and coefficients.
 void set_flag_digit(Settings& settings, int code, int value);
-/// Throws Refused where nobody knows the code.
+/// Throws Refused for an unknown code.
 void require_known_flag(int code);
 
 }  // namespace contactd::cntc

@@ -1,4 +1,4 @@
-// A block of points below the surface as a program sets it.
+// A block of points below the surface, as a program sets it.
 #pragma once
 
 #include "answers/stress_blocks.hpp"
@@ -7,14 +7,14 @@ namespace contactd::cntc {
 
 using namespace cases;
 
-/// An array as a caller passes it.
+/// An array as passed by a caller.
 struct GivenArray {
     const double* values;
     const int* count;
 };
 
-/// x and y by the kind of the block; z is [number, first, step] up to the kind 3, and coordinates from 5 on. Throws
-/// Refused for other kinds, and what is too short or no number.
+/// Reads a block: x and y according to its kind, and z as [number, first, step] for kinds up to 3, as coordinates from
+/// 5 on. Throws Refused for other kinds, and for arrays that are too short or contain numbers that are not finite.
 GivenBlock read_block(int kind, const GivenArray& x, const GivenArray& y, const GivenArray& z, double length);
 
 }  // namespace contactd::cntc

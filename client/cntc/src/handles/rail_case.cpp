@@ -12,7 +12,7 @@
 namespace contactd::cntc {
 namespace {
 
-/// Keeps the curves of the profiles where no more than the friction has changed, as it may from step to step.
+/// Keeps the curves of the profiles if at most the friction has changed, as it may from step to step.
 void use(RailCase& rail, const WheelRailSetup& setup) {
     if (rail.contact) {
         if (rail.contact->setup() == setup) return;
@@ -29,9 +29,9 @@ void use(RailCase& rail, const WheelRailSetup& setup) {
 
 enum Previous { go_on = 0, from_pressures = 1, again = 3 };
 
-/// Returns what a step starts from. Tractions are a history only where the step is not steady.
+/// Returns the start of a step. Tractions are a history only if the step is not steady.
 SharedEstimates start_of(const RailCase& rail, const Settings& common, const WheelRailState& state) {
-    // Simplified models have no tractions to start from: the last case tells where to search for the height.
+    // Simplified models have no initial tractions; the last case only provides a starting value for the height.
     if (rail.contact->setup().model != Model::full) return rail.estimates;
     const bool is_steady = state.motion == WheelRailMotion::steady_rolling;
     const bool has_estimate = common.digits.estimate != 0;
@@ -64,7 +64,7 @@ GivenMotion creepages_of(const Motion& motion) {
     return {shift.rigid_shift.x, shift.rigid_shift.y, shift.rotation};
 }
 
-/// A force on nothing cannot be; a height without contact is an answer.
+/// A prescribed force requires contact; a prescribed height does not.
 void require_contact(const RailCase& rail) {
     if (rail.solution->in_contact() || !rail.state->Fz) return;
     const auto& warnings = rail.solution->warnings;
@@ -127,7 +127,7 @@ RailFrames frames_of(RailCase& rail, const Settings& common) {
 }
 
 void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& common, ProblemCase& problem) {
-    // The arrays of the last step become those of this one.
+    // The arrays of the previous step are reused for this one.
     if (!problem.solved) problem.solved.emplace();
     const Motion motion = show_patch(patch, rail.contact->setup(), *rail.state, *problem.solved);
     std::map<int, GivenBlock> blocks = std::move(problem.settings.blocks);

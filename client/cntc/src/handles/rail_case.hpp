@@ -1,4 +1,4 @@
-// A wheel on its rail: what was set, and what came of the last solve.
+// A wheel on its rail: its settings, and the results of the last solve.
 #pragma once
 
 #include <memory>
@@ -12,35 +12,35 @@
 
 namespace contactd::cntc {
 
-/// Tractions of all patches among them: too much to copy in each step. Null: there are none.
+/// Estimates shared between steps, because the tractions of all patches are too large to copy in each step. Null: none.
 using SharedEstimates = std::shared_ptr<const WheelRailEstimates>;
 
 struct RailCase {
-    std::mutex mutex;  ///< held by whoever uses the rest
+    std::mutex mutex;  ///< guards the other members
     RailSettings settings;
-    std::unique_ptr<const WheelRailContact> contact{};  ///< kept as long as the set-up stays
-    std::shared_ptr<const RailOutlines> outlines{};     ///< that somebody asked for last
-    SharedEstimates before{}, estimates{};              ///< where the last step started, and where the next one does
+    std::unique_ptr<const WheelRailContact> contact{};  ///< kept while the set-up is unchanged
+    std::shared_ptr<const RailOutlines> outlines{};     ///< requested last
+    SharedEstimates before{}, estimates{};              ///< start of the last step, and of the next one
     std::optional<WheelRailState> state{};              ///< of the last solve
     std::optional<WheelRailSolution> solution{};        ///< of the last solve
-    bool current = false;  ///< whether it is what was asked for last: a refused case cannot be read
+    bool current = false;  ///< true if it belongs to the last request; a refused case has no results
 };
 
-/// Throws Refused where the last case was not solved.
+/// Returns the solution. Throws Refused if the last case was not solved.
 const WheelRailSolution& solution_of(const RailCase& rail);
 
-/// Solves what is set, and keeps it. Throws Refused, where searches and solvers missed their tolerances with what they
-/// found kept. `common` is what wheel on rail has in common with basic contact.
+/// Solves the current settings and stores the solution. Throws Refused; after a missed tolerance of a search or a
+/// solver the solution is stored nevertheless. `common` contains the settings shared with basic contact.
 void calculate(RailCase& rail, const Settings& common);
 
-/// Patches of the solution, from the field side to the gauge side.
+/// Returns the patches of the solution, from the field side to the gauge side.
 std::vector<const WheelRailPatch*> ordered_patches(const RailCase& rail);
 
-/// By the set-up that was solved last, or else by what is set.
+/// Returns the outlines for the set-up of the last solve or, without one, for the current settings.
 const RailOutlines& outlines_of(RailCase& rail, const Settings& common);
 RailFrames frames_of(RailCase& rail, const Settings& common);
 
-/// Makes a contact problem of a patch, for the functions that answer what there is of one. Its blocks stay.
+/// Makes a contact problem from a patch, for the functions that return its results. Its blocks of points are kept.
 void show(const WheelRailPatch& patch, const RailCase& rail, const Settings& common, ProblemCase& problem);
 
 }  // namespace contactd::cntc

@@ -19,7 +19,7 @@ void require_number(int ire) {
 
 }  // namespace
 
-// Never ended: a thread may still be at work when the process ends.
+// The registry is never destroyed, because a thread may still run when the process ends.
 Registry& Registry::of_process() {
     static auto& registry = *new Registry;
     return registry;

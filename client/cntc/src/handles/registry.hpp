@@ -14,38 +14,38 @@ namespace contactd::cntc {
 
 using CasePtr = std::shared_ptr<ProblemCase>;
 
-/// A wheel on a rail, and what it has in common with basic contact.
+/// A wheel on a rail, and its settings shared with basic contact.
 struct RailPtrs {
     std::shared_ptr<RailCase> rail;
     CasePtr common;
 };
 
-/// Finds contact problems by their numbers. Safe to be used from several threads; a problem that is forgotten while
-/// somebody uses it lives until then.
+/// Finds contact problems by their numbers. Thread-safe; a deleted problem that another thread uses lives until that
+/// use ends.
 class Registry {
    public:
     static Registry& of_process();
 
-    /// Makes a result element; one of that number is forgotten. One of a module that nobody has answers nothing.
+    /// Creates a result element, and replaces an earlier one with this number. The first use refuses an unknown module.
     void initialize(int ire, int module);
     void finalize(int ire);
     void finalize_all();
 
-    /// Those that something is set of. They are made when they are first named; `all_problems` are those there are, and
-    /// the one that further ones are copied from. Throws Refused for numbers that cannot be.
+    /// Returns the problems for a setter, and creates them on first use. `all_problems` are the existing ones and the
+    /// pattern for new ones. Throws Refused for invalid numbers.
     std::vector<CasePtr> to_set(int ire, int icp);
-    /// The one that is asked for; throws Refused where there is none.
+    /// Returns the requested problem. Throws Refused if it does not exist.
     CasePtr at(int ire, int icp);
-    /// It, or all of them; throws Refused where there is none.
+    /// Returns one problem or all of them. Throws Refused if there is none.
     std::vector<CasePtr> existing(int ire, int icp);
-    /// The pattern of further problems: with `all_problems`, and where there is none of this number.
+    /// Returns the problem or, for `all_problems` and a number that does not exist, the pattern for new ones.
     CasePtr existing_or_pattern(int ire, int icp);
 
     bool is_wheel_rail(int ire);
-    /// A wheel on a rail, which is made when it is first named. Throws Refused for basic contact.
+    /// Returns a wheel on a rail, created on first use. Throws Refused for basic contact.
     RailPtrs rail(int ire);
-    /// The contact problems of its patches, numbered from 1 on, and behind them all others that there are. Those that
-    /// are missing are made with these settings.
+    /// Returns the contact problems of the patches, numbered from 1, followed by all other existing ones. Missing ones
+    /// are created with these settings.
     std::vector<CasePtr> patches(int ire, std::size_t count, const Settings& common);
 
    private:
@@ -53,12 +53,12 @@ class Registry {
         explicit ResultElement(int module);
 
         int module;
-        CasePtr pattern;  ///< what was set of all
+        CasePtr pattern;  ///< settings made for all problems
         std::map<int, CasePtr> problems;
-        std::shared_ptr<RailCase> rail;  ///< where it is a wheel on a rail
+        std::shared_ptr<RailCase> rail;  ///< only for a wheel on a rail
     };
 
-    /// Finds it, or makes one of the module. Throws Refused where the module is none that there is.
+    /// Finds the element, or creates it for the module. Throws Refused for an unknown module.
     ResultElement& element(int ire, int module = module_number::basic_contact);
     ResultElement& existing_element(int ire);
     CasePtr& problem(ResultElement& element, int icp);

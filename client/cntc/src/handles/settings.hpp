@@ -1,4 +1,4 @@
-// Settings of a program: the values of a case, its units, and the values that it may not use.
+// Settings of a program: the values of a case, its units, and refused values.
 #pragma once
 
 #include <map>
@@ -20,12 +20,12 @@ struct Settings : Given {
     Units units = units_mm_on_body_1;
     std::map<int, double> metadata;
     std::map<int, GivenBlock> blocks;
-    /// Settings that cannot be used, by name: nothing is solved while there are any.
+    /// Refused settings, by name. Nothing is solved until they are corrected.
     std::map<std::string, Refused> refused;
 };
 
 struct RailSettings : GivenRail {
-    /// Settings that cannot be used, by name: nothing is solved while there are any.
+    /// Refused settings, by name. Nothing is solved until they are corrected.
     std::map<std::string, Refused> refused;
 };
 

@@ -1,4 +1,4 @@
-// Seconds that solves take.
+// Measures the duration of solves.
 #pragma once
 
 #include <chrono>
@@ -8,14 +8,14 @@
 
 namespace contactd::cntc {
 
-/// Time of the processor that this thread took (s).
+/// Returns the processor time of this thread (s).
 inline double processor_seconds() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// Adds to a time what passes while it lives.
+/// Adds the time of its own lifetime to a total.
 class Stopwatch {
    public:
     explicit Stopwatch(CalculationTime& time) : time_(time) {}

@@ -1,4 +1,4 @@
-// Materials of the bodies, the layer and the friction between them.
+// Sets the materials of the bodies, the interfacial layer and the friction.
 #include <string>
 #include <vector>
 
@@ -13,10 +13,10 @@ using namespace contactd::cntc;
 
 namespace {
 
-/// Methods of damping, beside those of materials.
+/// Methods of damping; the other methods are those of materials.
 enum Method { undamped = 10, keeps_damping = 11, damped = 12 };
 
-/// Throws Refused where there is damping: contactd has none.
+/// Throws Refused for damping, which contactd does not support.
 void set_damping(Settings& settings, int method, const double* rparam, const int* nparam) {
     if (method == undamped) return;
     if (method == keeps_damping) {
@@ -40,7 +40,7 @@ void set_bodies(Settings& settings, int method, const double* rparam, const int*
     settings.refused.erase("flag " + std::to_string(flag::material));
 }
 
-/// Returns the friction of a method: the law, plus ten times how it varies.
+/// Returns the friction of a method: the law, plus ten times the kind of its variation.
 GivenFriction friction_of(int method, const double* params, const int* nparam, const Settings& settings) {
     const bool on_rails = settings.module == module_number::wheel_rail;
     const int law = method % 10, varies = method / 10, size = friction_numbers(law);
@@ -50,7 +50,7 @@ GivenFriction friction_of(int method, const double* params, const int* nparam, c
                           (on_rails ? ", plus 10 for friction by the rail's angle or 20 for friction along the track."
                                     : ": friction of basic contact does not vary."));
     if (varies == varies::nowhere) return uniform_friction(law, list(params, nparam, size, "params"), settings.units);
-    // [number, and of each its angle or place, and the numbers of the law there]
+    // Format: [count, and for each place its angle or position followed by the numbers of the law].
     const auto given = numbers(params, nparam, 1, "params");
     const int count = whole(given[0], "the number of places of friction");
     if (count < 1 || given.size() != 1 + static_cast<std::size_t>(count) * static_cast<std::size_t>(size + 1))
@@ -77,7 +77,7 @@ CONTACTD_FORTRAN_NAME(cntc_setmaterialparameters)
 extern "C" void cntc_setfrictionmethod(int* ire, int* icp, int* imeth, int* nparam, double* params) {
     set("cntc_setfrictionmethod", ire, icp, "friction", [&](Settings& settings) {
         const int method = integer(imeth, "imeth");
-        const bool keeps = method >= 0 && method % 10 == law::keeps;  // whatever it says of places
+        const bool keeps = method >= 0 && method % 10 == law::keeps;  // whatever its tens digit
         if (keeps && settings.friction) return;
         settings.friction = friction_of(method, params, nparam, settings);
         settings.digits.friction_law = settings.friction->method % 10;

@@ -1,4 +1,4 @@
-// The frame of every function of the interface: it finds handles, locks them, and lets no exception out.
+// The frame of every function of the interface: it finds and locks handles, and catches all exceptions.
 #pragma once
 
 #include <exception>
@@ -11,7 +11,7 @@
 
 namespace contactd::cntc {
 
-/// Runs `work`. Answers 0, or the code of what it threw, which is reported in the name of the function.
+/// Runs `work`. Returns 0, or the code of its exception, which is reported under the name of the function.
 template <class Work>
 int answer(const char* function, const Work& work) noexcept {
     begin_call();
@@ -29,8 +29,8 @@ inline int number_of(const int* handle) {
     return *handle;
 }
 
-/// Sets something of one contact problem or of all, by `change(settings)`, which throws and leaves them as they were
-/// where it cannot be. Then `part` of the problem is refused, until it is set well.
+/// Sets one part of a contact problem by `change(settings)`, which throws and changes nothing for invalid values. The
+/// part is then refused until it is set to valid ones.
 template <class Given, class Change>
 void set_part(Given& settings, const std::string& part, const Change& change) {
     try {
@@ -42,7 +42,7 @@ void set_part(Given& settings, const std::string& part, const Change& change) {
     }
 }
 
-/// Calls `change(settings)` of one contact problem or of all; what one refuses does not keep the others from it.
+/// Calls `change(settings)` for one contact problem or for all. A problem that refuses does not affect the others.
 template <class Change>
 void for_each_settings(const int* ire, const int* icp, const Change& change) {
     std::exception_ptr failed;
@@ -57,14 +57,14 @@ void for_each_settings(const int* ire, const int* icp, const Change& change) {
     if (failed) std::rethrow_exception(failed);
 }
 
-/// A function that sets one part.
+/// Sets one part of a problem.
 template <class Change>
 void set(const char* function, const int* ire, const int* icp, const char* part, const Change& change) noexcept {
     answer(function,
            [&] { for_each_settings(ire, icp, [&](Settings& settings) { set_part(settings, part, change); }); });
 }
 
-/// A function of basic contact that sets one part, which a wheel on a rail has itself.
+/// Sets one part of basic contact; on rails this part follows from other inputs.
 template <class Change>
 void set_basic(const char* function, const int* ire, const int* icp, const char* part, const Change& change) noexcept {
     answer(function, [&] {
@@ -77,7 +77,7 @@ void set_basic(const char* function, const int* ire, const int* icp, const char*
     });
 }
 
-/// Reads something of one contact problem, by `read(problem)`.
+/// Reads results of one contact problem by `read(problem)`.
 template <class Read>
 int get(const char* function, const int* ire, const int* icp, const Read& read) noexcept {
     return answer(function, [&] {
@@ -87,7 +87,7 @@ int get(const char* function, const int* ire, const int* icp, const Read& read) 
     });
 }
 
-/// Reads what a wheel on a rail has as a whole by -1 as well.
+/// Reads results by `read(problem)`. On rails, -1 stands for the whole wheel.
 template <class Read>
 int get_whole(const char* function, const int* ire, const int* icp, const Read& read) noexcept {
     return answer(function, [&] {
@@ -100,7 +100,7 @@ int get_whole(const char* function, const int* ire, const int* icp, const Read& 
     });
 }
 
-/// Reads what is set of one contact problem or of all; before anything is, that is what a program begins with.
+/// Reads settings of one contact problem or of all. Without any call the initial values are returned.
 template <class Read>
 int get_set(const char* function, const int* ire, const int* icp, const Read& read) noexcept {
     return answer(function, [&] {
@@ -110,12 +110,12 @@ int get_set(const char* function, const int* ire, const int* icp, const Read& re
     });
 }
 
-/// Tells whether a function of both modules is called for a wheel on a rail.
+/// Returns whether a function of both modules is called for a wheel on a rail.
 inline bool of_rail(const int* ire) {
     return ire != nullptr && Registry::of_process().is_wheel_rail(*ire);
 }
 
-/// Runs `work(rail, common)` of a wheel on a rail, with both locked.
+/// Runs `work(rail, common)` for a wheel on a rail, with both locked.
 template <class Work>
 int with_rail(const char* function, const int* ire, const Work& work) noexcept {
     return answer(function, [&] {
@@ -125,7 +125,7 @@ int with_rail(const char* function, const int* ire, const Work& work) noexcept {
     });
 }
 
-/// A function that sets one part of a wheel on a rail, by `change(settings, units)`.
+/// Sets one part of a wheel on a rail by `change(settings, units)`.
 template <class Change>
 void set_rail(const char* function, const int* ire, const std::string& part, const Change& change) noexcept {
     with_rail(function, ire, [&](RailCase& rail, const Settings& common) {

@@ -1,4 +1,4 @@
-// Results with one number an element.
+// Returns results with one number per element.
 #include <algorithm>
 
 #include "answers/element_fields.hpp"
@@ -13,26 +13,26 @@ namespace {
 
 using Values = std::vector<double>;
 
-/// Core's numbers in the caller's units; nothing of an array that core leaves empty is zero.
+/// Converts numbers of the core to the caller's units. An array that the core leaves empty becomes zeros.
 void fill(const Values& found, double unit, std::span<double> out, std::size_t elements) {
     for (std::size_t i = 0; i < elements; ++i) out[i] = found.empty() ? 0 : found[i] / unit;
 }
 
-/// One field of the solution, as different functions answer it.
+/// A field of the solution and its unit.
 struct Field {
     Values values;
     double unit = 1;
 };
 
-/// Codes of cntc_getfielddata. Slip is relative where the bodies roll, and of shifts in mm whatever the units are.
-/// Others are zero, and so are those of plasticity without a layer that yields, and temperatures without heat.
+/// Returns the field of a code of cntc_getfielddata. Slip is relative in rolling, and in mm in a shift, whatever the
+/// units. Unknown codes, plasticity without a layer that yields, and temperatures without heat are zero.
 Field field_of(int code, ProblemCase& problem) {
     const Solved& solved = solution_of(problem);
     const ContactSolution& solution = solved.solution;
     const Units& units = problem.settings.units;
     const bool on_rails = problem.settings.module == module_number::wheel_rail;
     const auto displacements = [&] {
-        const bool found = !solution.displacement_x.empty();  // with the solution, as of rows that are turned
+        const bool found = !solution.displacement_x.empty();  // computed with the solution, for rotated rows
         if (found || (on_rails && models_of(problem.settings).model != Model::full))
             return Displacements{solution.displacement_x, solution.displacement_y, solution.displacement_z};
         if (on_rails)
@@ -79,7 +79,7 @@ Field field_of(int code, ProblemCase& problem) {
     }
 }
 
-/// Several fields at a time, by their codes.
+/// Returns several fields at a time, by their codes.
 template <std::size_t count>
 void get_fields(const char* function, const int* ire, const int* icp, const int* lenarr,
                 const std::array<int, count>& codes, const std::array<double*, count>& out) {

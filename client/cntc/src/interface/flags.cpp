@@ -1,4 +1,4 @@
-// Flags, which control a solve: pairs of code and value; and numbers that were set, read back.
+// Sets flags, which control a solve, as pairs of code and value; returns settings.
 #include <algorithm>
 #include <span>
 
@@ -18,7 +18,7 @@ struct Pairs {
         : codes(integers(codes_, count, 0, "params")), values(integers(values_, count, 0, "values")) {}
 };
 
-/// Those that hold for all problems of the process.
+/// Sets flags that apply to all problems of the process.
 void set_global(int code, int value) {
     if (code == flag::own_output) print_errors(value > 0);
 }
@@ -42,7 +42,7 @@ void set_flag(Settings& settings, int code, int value) {
     });
 }
 
-/// All of them, whatever becomes of one.
+/// Sets all flags, even if one of them fails.
 void set_flags(Settings& settings, const Pairs& pairs) {
     std::exception_ptr failed;
     for (std::size_t i = 0; i < pairs.codes.size(); ++i) try {
@@ -62,7 +62,7 @@ int flag_of(const Settings& settings, int code) {
     throw Refused(error_code::input, "Flag " + std::to_string(code) + " is not supported and is ignored.");
 }
 
-/// [velocity, chi, dq, centre of spin along x and y, tau_c0], from which programs draw a solution.
+/// Returns [velocity, chi, dq, centre of spin along x and y, tau_c0], which programs use to draw a solution.
 std::vector<double> picture_back(const ProblemCase& problem) {
     const Settings& settings = problem.settings;
     const Units& units = settings.units;

@@ -1,4 +1,4 @@
-// The potential contact area and the undeformed distance.
+// Sets the potential contact area and the undeformed distance.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@ using namespace contactd::cntc;
 
 namespace {
 
-/// Elements are those of all patches, which nobody numbers before they are found.
+/// Sets the elements of all patches together, because patches have no numbers before they are found.
 void set_rail_elements(const int* ire, const int* icp, const int* ipotcn, const int* nparam, const double* rparam) {
     set_rail("cntc_setpotcontact", ire, "potential contact", [&](RailSettings& rail, const Units& units) {
         if (number_of(icp) > 0)
@@ -33,7 +33,7 @@ void get_rail_elements(const int* ire, double* dx, double* dy) {
     });
 }
 
-/// Copies as many of the numbers as the caller has room for.
+/// Copies as many numbers as the caller has room for.
 template <std::size_t count>
 void fill(const std::array<double, count>& found, double* values, const int* lenarr) {
     const auto out = room(values, lenarr, 1, "values");
@@ -102,7 +102,7 @@ extern "C" void cntc_getnumelements(int* ire, int* icp, int* mx, int* my) {
     get("cntc_getnumelements", ire, icp, [&](const ProblemCase& problem) {
         require(mx, "mx");
         require(my, "my");
-        if (const auto* area = std::get_if<HertzArea>(&problem.settings.area)) {  // their numbers need no load
+        if (const auto* area = std::get_if<HertzArea>(&problem.settings.area)) {  // their numbers require no load
             *mx = area->mx;
             *my = area->my;
             return;

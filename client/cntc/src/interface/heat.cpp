@@ -1,4 +1,4 @@
-// Thermal properties of the bodies, and the largest temperatures.
+// Sets thermal properties of the bodies, and returns the largest temperatures.
 #include "given/given_bodies.hpp"
 #include "interface/entry.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 
 enum Method { none = 0, keep = 1, given = 3 };
 
-/// Zero without heat.
+/// Returns zeros if there is no heat.
 ContactTemperature temperature_of(const ProblemCase& problem) {
     return solution_of(problem).solution.temperature.value_or(ContactTemperature{});
 }

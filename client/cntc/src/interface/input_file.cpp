@@ -1,4 +1,4 @@
-// An input file of the CONTACT program, set to the contact problems of a result element.
+// Reads an input file of the CONTACT program into the contact problems of a result element.
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -19,7 +19,7 @@ std::string text_of(const std::string& name) {
     std::ifstream file(name, std::ios::binary);
     std::string text;
     constexpr std::size_t piece = 1 << 16;
-    while (file && text.size() <= contactd::most_contact_file_bytes) {  // the reader refuses what is longer
+    while (file && text.size() <= contactd::most_contact_file_bytes) {  // the reader refuses longer files
         const std::size_t size = text.size();
         text.resize(size + piece);
         file.read(text.data() + size, piece);
@@ -40,7 +40,8 @@ void check(const FileCase& read, bool on_rails, const std::string& where) {
                                              std::to_string(module) + ".");
 }
 
-/// The cases of a result element, or of files that name none: one for each of its problems, or for a wheel on a rail.
+/// Returns the cases of this result element, or those that name no result element: one for each problem, or one for a
+/// wheel on a rail.
 std::map<int, FileCase> cases_of(const std::string& name, int ire, bool on_rails) {
     const std::string text = text_of(name), where = "In the file \"" + name + "\": ";
     contactd::ContactFileReader reader(text, name);
@@ -59,15 +60,15 @@ std::map<int, FileCase> cases_of(const std::string& name, int ire, bool on_rails
     return cases;
 }
 
-/// Returns whether no file contains the setting, which has its name in refusals.
+/// Returns whether files cannot contain the setting, which is identified by its name in refusals.
 bool outside_files(const std::string& part) {
     for (const int code : {flag::units, flag::result, flag::sensitivities})
         if (part == "flag " + std::to_string(code)) return true;
     return false;
 }
 
-/// Sets what a case has by `set(settings)`. Nothing changes where it throws, and nothing is solved until a file can be
-/// set.
+/// Applies a case by `set(settings)`. If that throws, nothing changes, and nothing is solved until a file is read
+/// successfully.
 template <class Given, class Set>
 void set_whole(Given& settings, const Set& set) {
     set_part(settings, "input file", [&](Given& all) {
@@ -107,7 +108,7 @@ void set_on_rails(int ire, const FileCase& read, const std::string& folder) {
 
 }  // namespace
 
-/// Every kind of file, `itype`, is read as an input file.
+/// All kinds of files (`itype`) are read as input files.
 extern "C" void cntc_readinpfile(int* ire, int*, const char* name, int* len_name, int* ierror) {
     const int code = answer("cntc_readinpfile", [&] {
         require(ierror, "ierror");

@@ -1,4 +1,4 @@
-// Start and end.
+// Starts and ends the use of the library.
 #include "interface/entry.hpp"
 
 using namespace contactd::cntc;
@@ -13,7 +13,7 @@ void start(const char* function, int* ifcver, int* ierror) {
 
 }  // namespace
 
-// From the fourth argument on there are two lists, of which nothing is read.
+// The arguments from the fourth on describe two lists, which are ignored.
 extern "C" void cntc_initializefirst(int* ifcver, int* ierror, int*, const char*, const char*, const char*, int*, int*,
                                      int*) {
     start("cntc_initializefirst", ifcver, ierror);
@@ -42,7 +42,7 @@ extern "C" void cntc_initialize(int* ire, int* imodul, int* ifcver, int* ierror,
 }
 CONTACTD_FORTRAN_NAME(cntc_initialize)
 
-// Neither files nor threads are the library's affair: it opens none, and solves in the thread that calls.
+// The library opens no files and creates no threads: it solves in the calling thread.
 extern "C" void cntc_setfileunits(int* nunits, int* iunits) {
     answer("cntc_setfileunits", [&] { integers(iunits, nunits, 0, "iunits"); });
 }

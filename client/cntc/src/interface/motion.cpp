@@ -1,4 +1,4 @@
-// How the bodies are pressed, and how they move.
+// Sets the load and the motion of the bodies.
 #include <cmath>
 
 #include "interface/entry.hpp"
@@ -8,7 +8,7 @@ using namespace contactd::cntc;
 
 namespace {
 
-/// The motion that forces were found to need, where it was not set anew since.
+/// Replaces the motion by that computed for prescribed forces, unless it was set again.
 void take_found(const ProblemCase& problem, GivenMotion& motion) {
     if (!problem.current || !problem.solved->solution.motion || problem.settings.digits.force == 0) return;
     const Motion& found = *problem.solved->solution.motion;
@@ -23,7 +23,7 @@ void take_found(const ProblemCase& problem, GivenMotion& motion) {
     if (shift.force.Fy) motion.vy = (shift.rigid_shift.y + shift.rotation * problem.settings.spin_x) / mm;
 }
 
-/// The motion that was set, in the units that hold now.
+/// Converts the motion to the current units.
 GivenMotion in_units(GivenMotion motion, double length, bool rolls) {
     const double change = motion.length / length;
     if (rolls)
@@ -70,7 +70,7 @@ extern "C" void cntc_setreferencevelocity(int* ire, int* icp, double* veloc) {
 CONTACTD_FORTRAN_NAME(cntc_setreferencevelocity)
 
 extern "C" void cntc_setrollingstepsize(int* ire, int* icp, double* chi, double* dq) {
-    // The direction of a wheel on a rail follows from its motion, and the step counts elements.
+    // On rails the direction follows from the motion, and the step is counted in elements.
     if (of_rail(ire))
         return set_rail("cntc_setrollingstepsize", ire, "rolling step",
                         [&](RailSettings& rail, const Units&) { rail.dq = positive(number(dq, "dq"), "dq"); });
@@ -90,7 +90,7 @@ extern "C" void cntc_setcreepages(int* ire, int* icp, double* vx, double* vy, do
 CONTACTD_FORTRAN_NAME(cntc_setcreepages)
 
 extern "C" void cntc_settangentialforces(int* ire, int* icp, double* fx, double* fy) {
-    // A wheel on a rail has the longitudinal force itself, on the rail along the wheelset's axes.
+    // On rails the longitudinal force is absolute: the force on the rail along the wheelset's axes.
     if (of_rail(ire))
         return set_rail("cntc_settangentialforces", ire, "longitudinal force",
                         [&](RailSettings& rail, const Units&) { rail.Fx = number(fx, "fx"); });

@@ -1,4 +1,4 @@
-// Profiles of a wheel and a rail: from files, from tables, and back as tables.
+// Sets profiles of a wheel and a rail from files and tables, and returns them as tables.
 #include <algorithm>
 #include <cstring>
 
@@ -11,7 +11,7 @@ using namespace contactd::cntc;
 
 namespace {
 
-/// Numbers that a caller may leave out from behind.
+/// Optional numbers at the end of an array.
 template <class Number>
 struct Optional {
     const Number* values;
@@ -35,7 +35,7 @@ ProfileOptions options_of(const Optional<int>& ints, const Optional<double>& rea
     return options;
 }
 
-/// Whichever of both it is, its own part is refused where it cannot be used.
+/// Reads the profile of the wheel or the rail. If it cannot be used, only its own part is refused.
 template <class Read>
 void set_profile(const char* function, const int* ire, const int* nints, const int* iparam, const int* nreals,
                  const double* rparam, const Read& read) {
@@ -67,7 +67,7 @@ void get_values(const char* function, const int* ire, const int* itask, const Op
             if (out.size() > 1) out[1] = failed ? error_code::profile : surface.empty() ? 1 : 0;
             return;
         }
-        out[0] = error_code::profile;  // what programs look at, until there is a number
+        out[0] = error_code::profile;  // programs check this value
         if ((query.wheel ? rail.settings.wheel : rail.settings.rail).empty())
             throw Refused(error_code::profile, "No such profile was set; call cntc_setprofileinputfname.");
         std::vector<double> found =
@@ -87,7 +87,7 @@ extern "C" void cntc_setprofileinputfname(int* ire, const char* name, int* len_n
         require(name, "name");
         if (length < 1) throw Refused(error_code::profile, "The name of the profile is empty.");
         std::string file(name, strnlen(name, static_cast<std::size_t>(length)));
-        file.erase(file.find_last_not_of(' ') + 1);  // Fortran fills up
+        file.erase(file.find_last_not_of(' ') + 1);  // padding of Fortran
         return profile_from_file(file, options);
     });
 }

@@ -1,4 +1,4 @@
-// Results of a wheel on a rail as a whole, and where its patches lie.
+// Returns results of a whole wheel on a rail, and the positions of its patches.
 #include <algorithm>
 #include <array>
 
@@ -11,7 +11,7 @@ using namespace contactd::cntc;
 
 namespace {
 
-/// Copies as many of the numbers as the caller has room for; what lies beyond them is zero.
+/// Copies as many numbers as the caller has room for, and sets the rest to zero.
 void fill(std::span<const double> found, std::span<double> out) {
     std::ranges::fill(out, 0);
     std::copy_n(found.begin(), std::min(found.size(), out.size()), out.begin());

@@ -1,4 +1,4 @@
-// Where rail and wheelset lie, and how they move.
+// Sets position and motion of rail and wheelset.
 #include <array>
 
 #include "interface/entry.hpp"
@@ -8,7 +8,7 @@ using namespace contactd::cntc;
 
 namespace {
 
-/// Numbers of which there are `least` to `most`; those left out are zero.
+/// Reads `least` to `most` numbers; omitted ones are zero.
 template <std::size_t most>
 std::array<double, most> given(const double* values, const int* count, int least) {
     const auto read = numbers(values, count, least, "rparam");
@@ -52,7 +52,7 @@ RailDeviation deviation_of(const Six& values, const Units& units) {
     return rail;
 }
 
-/// Eleven numbers have no curvature of the track.
+/// Eleven numbers do not include the curvature of the track.
 void set_both(RailSettings& rail, const double* values, const int* count, const Units& units) {
     constexpr int without_curvature = 11;
     const auto all = given<12>(values, count, without_curvature);
@@ -65,7 +65,7 @@ void set_both(RailSettings& rail, const double* values, const int* count, const 
     rail.deviation = deviation_of(deviation, units);
 }
 
-/// The fifth number is where another program's search begins.
+/// The fifth number, where another program starts its search, is ignored.
 void set_springs(GivenTrack& track, const double* values, const int* count, const Units& units) {
     const auto all = given<5>(values, count, 4);
     if (all[0] < 0 || all[2] < 0)
@@ -109,7 +109,7 @@ CONTACTD_FORTRAN_NAME(cntc_settrackdimensions)
 
 extern "C" void cntc_setwheelsetdimensions(int* ire, int* ewheel, int* nparam, double* rparam) {
     set_rail("cntc_setwheelsetdimensions", ire, "wheelset", [&](RailSettings& rail, const Units& units) {
-        // 4 and 6 bring dimensions in the numbering of some versions, and none in that of others.
+        // With the digits 4 and 6, some versions expect dimensions and others do not.
         const int digit = wheel_digit(ewheel);
         if (digit < 3 || ((digit == 4 || digit == 6) && integer(nparam, "nparam") == 0)) return;
         const auto all = given<4>(rparam, nparam, 3);
@@ -143,14 +143,14 @@ extern "C" void cntc_setwheelsetflexibility(int* ire, int* ewheel, int* nparam, 
     set_rail("cntc_setwheelsetflexibility", ire, "wheelset flexibility", [&](RailSettings& rail, const Units& units) {
         const int digit = wheel_digit(ewheel);
         if (digit == 0) return;
-        // 4 has a flexibility in the numbering of some versions, and none in that of others.
+        // With the digit 4, some versions expect a flexibility and others do not.
         if (digit < 4 || (digit == 4 && integer(nparam, "nparam") == 0)) {
             rail.flexibility = {};
             return;
         }
         const auto v = given<12>(rparam, nparam, 12);
         const double mm = units.length;
-        // A round wheel is the same at every pitch, and the other program does not turn it.
+        // The pitch is ignored: a round wheel is the same at every pitch, and the other program does not rotate it.
         rail.flexibility = {v[0] * mm, v[1] * mm, v[2] * mm, v[3], v[4],  0,
                             v[6] * mm, v[7] * mm, v[8] * mm, v[9], v[10], v[11]};
     });

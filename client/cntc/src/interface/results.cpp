@@ -1,4 +1,4 @@
-// Solves, and answers what is one number.
+// Solves, and returns single numbers.
 #include <cmath>
 
 #include "answers/sensitivities.hpp"
@@ -10,7 +10,8 @@ using namespace contactd::cntc;
 
 namespace {
 
-/// Returns the first error of many problems, or else the largest number of elements at the border.
+/// Returns the largest number of elements at the border. If problems fail, throws the first error after all have been
+/// solved.
 int calculate_all(int ire, int icp) {
     int border = 0;
     std::exception_ptr failed;
@@ -26,7 +27,7 @@ int calculate_all(int ire, int icp) {
     return border;
 }
 
-/// Makes contact problems of the patches, until the next solve.
+/// Makes contact problems from the patches, valid until the next solve.
 int show_patches(const RailCase& rail, int ire, const Settings& settings, const CalculationTime& time) {
     const auto found = rail.current ? ordered_patches(rail) : std::vector<const WheelRailPatch*>();
     const auto problems = Registry::of_process().patches(ire, found.size(), settings);
@@ -66,7 +67,7 @@ int calculate_rail(int ire) {
     return border;
 }
 
-/// A wheel on a rail is solved as a whole, whose number is that of all problems.
+/// A wheel on a rail is solved as a whole, with the number of all problems.
 int calculate_element(int ire, int icp) {
     if (!Registry::of_process().is_wheel_rail(ire)) return calculate_all(ire, icp);
     if (icp > 0) throw Refused(error_code::handle, "Patches of a wheel on a rail are solved together; icp must be -1.");
@@ -166,7 +167,7 @@ extern "C" void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* leni
                                                  std::to_string(ins) + "; they must be 1 to 4.");
         solution_of(problem);
         Solved& solved = *problem.solved;
-        // Those of a wheel on a rail are found when somebody reads them, patch by patch.
+        // Sensitivities of a wheel on a rail are computed when they are first read, patch by patch.
         if (problem.settings.module == module_number::wheel_rail && !solved.sensitivities)
             if (const int digit = problem.settings.digits.sensitivities; digit >= 2) {
                 if (solved.beyond != nullptr)
@@ -178,7 +179,7 @@ extern "C" void cntc_getsensitivities(int* ire, int* icp, int* lenout, int* leni
             throw Refused(error_code::input, "No sensitivities were requested; set flag 1988 before the solve.");
         const Units& units = problem.settings.units;
         const bool rolls = std::holds_alternative<Rolling>(solved.problem.motion);
-        // In all systems of units they are those of the forces on body 1 by the motion as it is set.
+        // In all systems of units, these are derivatives of the forces on body 1 by the motion as it is set.
         const std::array out_units{1.0, 1.0, 1.0, 1 / units.moment()};
         const std::array in_units{units.length, rolls ? 1 : units.length, rolls ? 1 : units.length,
                                   rolls ? units.curvature() : 1};

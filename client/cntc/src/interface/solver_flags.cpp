@@ -1,4 +1,4 @@
-// Tolerances and bounds of the solvers.
+// Sets tolerances and iteration limits of the solvers.
 #include "given/given_bodies.hpp"
 #include "interface/entry.hpp"
 
@@ -20,7 +20,7 @@ extern "C" void cntc_setsolverflags(int* ire, int* icp, int* gdigit, int* nints,
         if (method == keep) return;
         const auto ints = integers(iparam, nints, method == of_sensitivities ? 1 : 4, "iparam");
         const auto reals = list(rparam, nreals, 1, "rparam");
-        if (method == of_sensitivities) return;  // theirs are contactd's own
+        if (method == of_sensitivities) return;  // contactd uses its own settings for these
         settings.solvers = solver_settings(reals[0], ints[0], ints[3]);
         settings.one_outer_iteration = false;
         if (method >= convex && method <= with_slip_velocity)

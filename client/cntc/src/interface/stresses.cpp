@@ -1,4 +1,4 @@
-// Stresses below the surface.
+// Computes stresses below the surface.
 #include <algorithm>
 #include <cmath>
 
@@ -18,7 +18,7 @@ const GivenBlock& block_of(const ProblemCase& problem, int number) {
     return found->second;
 }
 
-/// Its stresses, if they are those of the block as it is now.
+/// Returns the stresses of a block, if they belong to its current points.
 const SolvedBlock& solved_block(const ProblemCase& problem, int number) {
     const GivenBlock& block = block_of(problem, number);
     const auto found = problem.blocks.find(number);
@@ -44,7 +44,7 @@ extern "C" void subs_addblock(int* ire, int* icp, int* iblk, int* isubs, int* nx
         const int number = integer(iblk, "iblk");
         if (number < 1) throw Refused(error_code::input, "Block numbers start at 1.");
         for_each_settings(ire, icp, [&](Settings& settings) {
-            // It and those with larger numbers are forgotten, whatever becomes of it.
+            // This block and those with larger numbers are deleted, even if the new block is refused.
             settings.blocks.erase(settings.blocks.lower_bound(number), settings.blocks.end());
             settings.blocks[number] =
                 read_block(integer(isubs, "isubs"), {x, nx}, {y, ny}, {z, nz}, settings.units.length);
@@ -58,7 +58,7 @@ extern "C" void subs_calculate(int* ire, int* icp, int* ierror) {
         const bool all_patches = of_rail(ire) && number_of(icp) == all_problems;
         for (const CasePtr& problem : Registry::of_process().existing(number_of(ire), number_of(icp))) {
             const std::scoped_lock lock(problem->mutex);
-            if (all_patches && !problem->current) continue;  // there were more patches before
+            if (all_patches && !problem->current) continue;  // left over from a solve with more patches
             calculate_blocks(*problem);
         }
         require(ierror, "ierror");
