@@ -155,6 +155,15 @@ WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailStat
     return solution;
 }
 
+WheelRailSolution Engine::solve(const WheelRailSetup& setup, const WheelRailState& state, WheelRailEstimates& estimates,
+                                Observer& observer) {
+    below("state", [&] { validate(setup, state); });
+    WheelRailSolution solution =
+        below_setup("setup", [&] { return wheel_on_rail(setup, observer)->solve(state, estimates, observer); });
+    count(solution);
+    return solution;
+}
+
 WheelsetSolution Engine::solve(const WheelsetSetup& setup, const WheelsetState& state, Observer& observer) {
     WheelsetEstimates none;
     return solve(setup, state, none, observer);

@@ -38,14 +38,6 @@ Forces of_rows(const WheelRailPatch& patch) {
     return {track.Fz * c - track.Fy * s, track.Fx, track.Fy * c + track.Fz * s, mz * c - my * s};
 }
 
-/// Returns the position of the reference relative to the origin of elements in a step that is not steady, in the axes
-/// of the patch. Along x, the origin is that of the track for shifts, or the wheelset for transient rolling.
-RailPlace counted_from(const ContactPlace& place, const WheelRailState& state) {
-    if (state.motion == WheelRailMotion::steady_rolling) return {};
-    const bool moves = state.motion == WheelRailMotion::transient_rolling;
-    return {place.on_rail.along - (moves ? state.position.x : 0), place.on_rail.across};
-}
-
 void move(ContactRegions& regions, const RailPlace& by) {
     for (auto& [x, y] : regions.limits) {
         x = {x.from + by.along, x.to + by.along};
@@ -87,6 +79,12 @@ const char* left_out(const WheelRailSetup& setup, const WheelRailState& state, c
 }
 
 }  // namespace
+
+RailPlace counted_from(const ContactPlace& place, const WheelRailState& state) {
+    if (state.motion == WheelRailMotion::steady_rolling) return {};
+    const bool moves = state.motion == WheelRailMotion::transient_rolling;
+    return {place.on_rail.along - (moves ? state.position.x : 0), place.on_rail.across};
+}
 
 Motion show_patch(const WheelRailPatch& patch, const WheelRailSetup& setup, const WheelRailState& state,
                   Solved& solved) {

@@ -37,7 +37,7 @@ class CoefficientLines {
     CoefficientLines(std::string_view text, const std::string& name) : rest_(text), name_(name) {}
 
     [[noreturn]] void fail(const std::string& problem) const {
-        throw NotCovered(Subject::input,
+        throw NotCovered(Subject::coefficients,
                          "In the file \"" + name_ + "\", line " + std::to_string(number_) + " " + problem + ".");
     }
     /// Returns the words of the next line, without its comment.
@@ -140,10 +140,10 @@ GivenIcs read_coefficients(std::string_view text, const std::string& name, doubl
                 double part = 0.5 * (at(iy) + parity(i, Axis::y) * at(-iy));
                 if (ix == 0 && parity(i, Axis::x) < 0) part = 0;
                 if (!(std::abs(at(iy) - part) <= allowed))
-                    throw NotCovered(Subject::input, "The file \"" + name + "\" has the coefficient " +
-                                                         number_text(at(iy)) + " at the offset " + std::to_string(ix) +
-                                                         ", " + std::to_string(iy) +
-                                                         ". Only bodies that are symmetric in x and y are supported.");
+                    throw NotCovered(Subject::coefficients,
+                                     "The file \"" + name + "\" has the coefficient " + number_text(at(iy)) +
+                                         " at the offset " + std::to_string(ix) + ", " + std::to_string(iy) +
+                                         ". Only bodies that are symmetric in x and y are supported.");
                 const auto [of, by] = axes_of(i);
                 found.table(of, by, ix, iy) = part / G;
             }

@@ -4,15 +4,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <initializer_list>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <numbers>
 #include <string_view>
-#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -246,33 +242,31 @@ void set_both(Given& given, const Values& of, bool on_rails) {
     set_bodies(given, of);
 }
 
-std::filesystem::path path_of(std::string file, const std::string& folder) {
-    std::ranges::replace(file, '\\', '/');
-    return std::filesystem::path(folder) / file;
+std::string text_of_coefficients(const NamedFiles& files, const std::string& name) {
+    try {
+        return files.text(name, most_coefficients_bytes);
+    } catch (const NotCovered& error) {
+        throw NotCovered(Subject::coefficients, error.what());
+    }
 }
 
-void set_coefficients(Given& given, const Values& of, const std::string& folder) {
-    const std::filesystem::path path = path_of(of.text("CFNAME"), folder);
-    std::error_code failed;
-    const bool is_small = std::filesystem::file_size(path, failed) <= most_coefficients_bytes && !failed;
-    std::ifstream file(path, std::ios::binary);
-    const std::string text = is_small ? std::string{std::istreambuf_iterator<char>(file), {}} : std::string();
-    if (!is_small || !file) throw NotCovered(Subject::input, "The file \"" + path.string() + "\" cannot be read.");
+void set_coefficients(Given& given, const Values& of, const NamedFiles& files) {
+    const std::string name = with_slashes(of.text("CFNAME")), text = text_of_coefficients(files, name);
     const auto& [upper, lower] = *given.materials;
     const double G = 2 / (1 / upper.G + 1 / lower.G);
     given.coefficients =
-        std::make_shared<const GivenIcs>(read_coefficients(text, path.string(), upper.G == lower.G ? upper.G : G));
+        std::make_shared<const GivenIcs>(read_coefficients(text, name, upper.G == lower.G ? upper.G : G));
 }
 
 GivenSurface surface_of(const Values& of, const char* name, const std::string& prefix, bool wheel,
-                        const std::string& folder) {
+                        const NamedFiles& files) {
     const auto real = [&](const char* option) { return of.real(prefix + option); };
     const auto integer = [&](const char* option) { return of.integer(prefix + option); };
     ProfileOptions options = profile_options({integer("MIRRORY"), integer("MIRRORZ"), integer("ISMOOTH"), real("SCALE"),
                                               real("SMOOTH"), real("KINKHIGH"), real("KINKLOW"), real("KINKWID")},
                                              units_of_files);
     options.wheel = wheel;
-    return profile_from_file(path_of(of.text(name), folder).string(), options).surface;
+    return profile_from_file(of.text(name), options, files).surface;
 }
 
 void set_track(GivenRail& rail, const Values& of) {
@@ -324,25 +318,25 @@ void set_wheelset(GivenRail& rail, const Values& of) {
 
 }  // namespace
 
-void set_basic_case(Given& given, const ContactCase& read, const std::string& folder) {
+void set_basic_case(Given& given, const ContactCase& read, const NamedFiles& files) {
     const Values of{read};
     set_both(given, of, false);
-    if (given.digits.influence == 9) set_coefficients(given, of, folder);
+    if (given.digits.influence == 9) set_coefficients(given, of, files);
     set_friction(given, of);
     set_area(given, of);
     set_motion(given, of);
     (of.digit("N") == 0 ? given.pen : given.fn) = of.real(of.digit("N") == 0 ? "PEN" : "FN");
 }
 
-void set_rail_case(Given& given, GivenRail& rail, const ContactCase& read, const std::string& folder) {
+void set_rail_case(Given& given, GivenRail& rail, const ContactCase& read, const NamedFiles& files) {
     const Values of{read};
     set_both(given, of, true);
     given.most_elements = std::clamp(of.integer("NPOT_MAX"), least_patch_elements, most_patch_elements);
     if (of.digit("T") != 0) set_friction(given, of);
     rail.elements = rail_elements(-1, of.reals({"DX", "DS", "A_SEP", "D_SEP", "D_COMB", "D_TURN"}), units_of_files);
     rail.dq = positive(of.real("DQREL"), "DQREL");
-    rail.rail = surface_of(of, "RFNAME", "RAIL_", false, folder);
-    rail.wheel = surface_of(of, "WFNAME", "WHEEL_", true, folder);
+    rail.rail = surface_of(of, "RFNAME", "RAIL_", false, files);
+    rail.wheel = surface_of(of, "WFNAME", "WHEEL_", true, files);
     set_track(rail, of);
     set_wheelset(rail, of);
     if (of.digit("N") == 1) rail.Fz = positive(of.real("FZ"), "FZ");

@@ -114,21 +114,20 @@ ProfileSpec spec_of(std::string name, std::string text, bool wheel, const Profil
     return turned(std::move(spec), wheel);
 }
 
-ProfileSpec spec_of_file(const std::filesystem::path& path, bool wheel, const ProfileOptions& options) {
-    return spec_of(path.filename().string(), text_of_profile(path), wheel, options);
+std::string last_part(const std::string& name) {
+    return std::filesystem::path(name).filename().string();
 }
 
-std::filesystem::path path_of(std::string name) {
-    std::ranges::replace(name, '\\', '/');
-    return name;
+ProfileSpec spec_of_file(const std::string& name, bool wheel, const ProfileOptions& options, const NamedFiles& files) {
+    return spec_of(last_part(name), files.text(name, most_profile_bytes), wheel, options);
 }
 
-GivenSurface slices_of(const std::filesystem::path& path, bool wheel, const ProfileOptions& options) {
-    const ContactSlices list = read_contact_slices(text_of_profile(path), path.filename().string());
+GivenSurface slices_of(const std::string& name, bool wheel, const ProfileOptions& options, const NamedFiles& files) {
+    const ContactSlices list = read_contact_slices(files.text(name, most_profile_bytes), last_part(name));
     GivenSurface surface;
     surface.spline = list.is_approximated ? SliceSpline::approximating : SliceSpline::cubic;
     for (const ContactSlice& slice : list.slices) {
-        ProfileSpec spec = spec_of_file(path.parent_path() / path_of(slice.file), wheel, options);
+        ProfileSpec spec = spec_of_file(beside(name, slice.file), wheel, options, files);
         if (wheel)
             surface.wheel_slices.push_back({slice.u, std::move(spec)});
         else
@@ -176,15 +175,15 @@ ProfileOptions profile_options(const ProfileNumbers& numbers, const Units& units
     return options;
 }
 
-ReadProfile profile_from_file(const std::string& name, const ProfileOptions& options) {
+ReadProfile profile_from_file(const std::string& given_name, const ProfileOptions& options, const NamedFiles& files) {
     return reading([&] {
+        const std::string name = with_slashes(given_name);
         const bool wheel = is_wheel(name, options);
-        const std::filesystem::path path = path_of(name);
         ReadProfile read{wheel, {}};
         if (is_one_of(ending_of(name), {".slcs", ".slcw"}))
-            read.surface = slices_of(path, wheel, options);
+            read.surface = slices_of(name, wheel, options, files);
         else
-            read.surface.profile = spec_of_file(path, wheel, options);
+            read.surface.profile = spec_of_file(name, wheel, options, files);
         return read;
     });
 }

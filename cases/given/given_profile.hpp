@@ -6,6 +6,7 @@
 #include <string>
 
 #include "given/given_rail.hpp"
+#include "given/named_files.hpp"
 #include "given/units.hpp"
 
 namespace contactd::cases {
@@ -36,8 +37,9 @@ struct ReadProfile {
     GivenSurface surface;
 };
 
-/// Reads a profile or a list of slices. Throws NotCovered with the subject `profile`.
-ReadProfile profile_from_file(const std::string& name, const ProfileOptions& options);
+/// Reads a profile or a list of slices. Throws NotCovered with the subject `profile` or
+/// `file`.
+ReadProfile profile_from_file(const std::string& name, const ProfileOptions& options, const NamedFiles& files);
 /// Reads a profile from alternating values of y and z. Throws NotCovered with the subject `profile`.
 ReadProfile profile_from_values(std::span<const double> values, const ProfileOptions& options);
 

@@ -8,7 +8,7 @@
 namespace contactd::cases {
 
 /// The part of a case that cannot be used.
-enum class Subject { input, profile, friction, discretisation, tolerance, other };
+enum class Subject { input, file, coefficients, profile, friction, discretisation, tolerance, other };
 
 /// Thrown for a case that is not supported, incomplete or inconsistent. `what()` is a whole sentence.
 class NotCovered : public Error {

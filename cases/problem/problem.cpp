@@ -286,6 +286,10 @@ ContactProblem problem_of(const Given& settings, const LastCase* last,
             throw NotCovered(Subject::input,
                              "Control digit C = 9 (flag 1978) requires coefficients that only an input file can give "
                              "(cntc_readinpfile).");
+        if (settings.creep)
+            throw NotCovered(Subject::input,
+                             "Control digits C = 9 (flag 1978) and M = 1 (flag 1979) together are not supported: "
+                             "coefficients from a file do not creep. Use C = 2 or M = 0.");
         problem.bodies.pair = with_offsets(*settings.coefficients, problem.grid);
     }
     problem.settings = settings.solvers;
@@ -303,9 +307,10 @@ ContactProblem problem_of(const Given& settings, const LastCase* last,
         if (!settings.pen) throw NotCovered(Subject::input, "No penetration PEN was given (cntc_setpenetration).");
         problem.approach = settings.pen;
     }
-    if (settings.creep) {
-        // The curvatures of a given ellipse follow from the immediate response, without creep.
+    // The curvatures of a given ellipse are those of half-spaces, and of creeping bodies without their creep.
+    if (settings.creep || (problem.bodies.pair && std::holds_alternative<SemiAxes>(*problem.gap)))
         if (const auto paraboloid = paraboloid_of(problem)) problem.gap = *paraboloid;
+    if (settings.creep) {
         problem.bodies.upper.viscoelastic = settings.creep->front();
         problem.bodies.lower.viscoelastic = settings.creep->back();
     }

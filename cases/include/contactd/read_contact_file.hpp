@@ -2,8 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "contactd/by_name.hpp"
 #include "contactd/observer.hpp"
 
 namespace contactd {
@@ -21,8 +20,6 @@ inline constexpr std::size_t most_contact_file_bytes = 16 << 20;
 /// Largest number of cases read at once.
 inline constexpr std::size_t most_contact_cases = 100'000;
 
-template <class Value>
-using ByName = std::map<std::string, Value, std::less<>>;
 /// Numbers that several cases may share.
 using ContactNumbers = std::shared_ptr<const std::vector<double>>;
 using ContactValue = std::variant<int, double, std::string, ContactNumbers>;

@@ -7,6 +7,7 @@
 #include "client_impl.hpp"
 #include "contactd/below.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/contact_file.hpp"
 #include "contactd/proto/ic_part.hpp"
 #include "contactd/proto/import_codec.hpp"
 
@@ -186,6 +187,35 @@ std::vector<ReplyOrStatus> Client::solve_many(std::span<const ContactProblem> pr
         for (std::size_t i = 0; i < results.size(); ++i)
             if (const auto* solved = std::get_if<SolveReply>(&results[i])) check_size(*solved, problems[i], fields);
         return results;
+    });
+}
+
+std::vector<ContactFileOutcome> Client::run_contact_file(const ContactFileInput& input, const CallOptions& options,
+                                                         const SolutionFields& fields) {
+    const json requested = proto::encode_fields(fields);
+    json params = proto::encode_contact_file_input(input);
+    params["fields"] = requested;
+    std::vector<ContactFileOutcome> outcomes;
+    while (true) {
+        const Reply reply = impl_->call("contact_file.run", std::move(params), {}, options);
+        decoded([&] {
+            for (const json& one : reply.result.at("cases"))
+                outcomes.push_back(proto::decode_contact_outcome(one, reply.frames));
+            return 0;
+        });
+        if (!reply.result.contains("run")) return outcomes;
+        params = {{"run", reply.result["run"]}, {"max_elements", input.max_elements}, {"fields", requested}};
+    }
+}
+
+std::vector<ContactFileProblem> Client::convert_contact_file(const ContactFileInput& input,
+                                                             const CallOptions& options) {
+    const Reply reply = impl_->call("contact_file.convert", proto::encode_contact_file_input(input), {}, options);
+    return decoded([&] {
+        std::vector<ContactFileProblem> problems;
+        for (const json& one : reply.result.at("cases"))
+            problems.push_back(proto::decode_contact_problem(one, reply.frames));
+        return problems;
     });
 }
 

@@ -65,6 +65,7 @@ inline constexpr std::string_view solve_unknown = "SOLVE_UNKNOWN";
 inline constexpr std::string_view session_unknown = "SESSION_UNKNOWN";
 inline constexpr std::string_view session_expired = "SESSION_EXPIRED";
 inline constexpr std::string_view session_limit = "SESSION_LIMIT";
+inline constexpr std::string_view run_unknown = "RUN_UNKNOWN";
 inline constexpr std::string_view state_unknown = "STATE_UNKNOWN";
 inline constexpr std::string_view step_out_of_order = "STEP_OUT_OF_ORDER";
 inline constexpr std::string_view step_differs = "STEP_DIFFERS";

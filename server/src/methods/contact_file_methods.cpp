@@ -6,6 +6,7 @@
 #include "all_methods.hpp"
 #include "contactd/proto/contact_file.hpp"
 #include "contactd/read_contact_file.hpp"
+#include "handlers.hpp"
 #include "jobs/job_reports.hpp"
 #include "methods/costs/cost_parts.hpp"
 
@@ -18,10 +19,29 @@ using nlohmann::json;
 constexpr double bytes_of_text = 30, bytes_of_cases = 150, most_bytes_of_cases = 1e8;
 constexpr double seconds_of_character = 1e-6;
 
-WorkCost cost_of_contact_file(const json& params, const Config&) {
-    const auto length = static_cast<double>(params.at("text").get_ref<const std::string&>().size());
+WorkCost cost_of_text(const json& params) {
+    const json* text = member(params, "text");
+    const auto length = text != nullptr ? static_cast<double>(text->get_ref<const std::string&>().size()) : 0;
     return {bytes_beside + length * bytes_of_text + std::min(length * bytes_of_cases, most_bytes_of_cases),
             seconds_of_character * length};
+}
+
+WorkCost cost_of_contact_file(const json& params, const Config&) {
+    return cost_of_text(params);
+}
+
+/// Returns the cost of reading, and of one case of the largest size, for which other cases wait.
+WorkCost cost_of_cases(const json& params, const Config& config) {
+    constexpr double bytes_of_element = 4000, seconds_of_element = 4e-5, copies_of_files = 3;
+    WorkCost cost = cost_of_text(params);
+    if (const json* files = member(params, "files"))
+        for (const json& file : *files)
+            if (const json* text = member(file, "text"))
+                cost.bytes += copies_of_files * static_cast<double>(text->get_ref<const std::string&>().size());
+    const double elements = std::min(params.value("max_elements", 40'000.0), double(config.max_grid_elements));
+    cost.bytes += bytes_of_element * elements;
+    cost.seconds += std::max(params.value("seconds", 10.0), seconds_of_element * elements);
+    return cost;
 }
 
 constexpr std::size_t most_numbers = 500'000;  // of an answer with more than one case
@@ -68,6 +88,9 @@ void read_slices(const CallPtr& call, const DaemonParts&) {
 
 void add_contact_file_methods(MethodTable& methods) {
     methods.add({.name = "contact_file.read", .cost = cost_of_contact_file, .handle = read_file});
+    methods.add({.name = "contact_file.run", .job = "solve", .cost = cost_of_cases, .handle = run_contact_file});
+    methods.add(
+        {.name = "contact_file.convert", .job = "solve", .cost = cost_of_cases, .handle = convert_contact_file});
     methods.add({.name = "contact_file.slices", .handle = read_slices});
 }
 

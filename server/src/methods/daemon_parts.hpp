@@ -2,6 +2,7 @@
 #pragma once
 
 #include "config/config.hpp"
+#include "contact_files/file_runs.hpp"
 #include "engine/engine.hpp"
 #include "jobs/open_calls.hpp"
 #include "jobs/work_budget.hpp"
@@ -27,6 +28,7 @@ struct DaemonParts {
     engine::JobTable& jobs;
     SessionTable& sessions;
     RecentSolves& recent_solves;
+    FileRuns& file_runs;
     WorkerPool& workers;
     WorkBudget& budget;
     const Call::Clock::time_point started = Call::Clock::now();

@@ -25,4 +25,9 @@ void export_table(const CallPtr& call, const DaemonParts& parts);
 /// table, or not the claimed one.
 void import_table(const CallPtr& call, const DaemonParts& parts);
 
+/// Handles contact_file.run: solves cases until the time of the call is over, and keeps the run if cases are left.
+void run_contact_file(const CallPtr& call, const DaemonParts& parts);
+/// Handles contact_file.convert.
+void convert_contact_file(const CallPtr& call, const DaemonParts& parts);
+
 }  // namespace contactd::server

@@ -1,5 +1,4 @@
 // wheelrail.*: wheels on their rails.
-#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,41 +10,12 @@
 #include "contactd/proto/field_codec.hpp"
 #include "contactd/proto/wheel_rail.hpp"
 #include "engine/wheel_rail/wheelset_conicity.hpp"
-#include "jobs/job_reports.hpp"
+#include "jobs/work_on_call.hpp"
 #include "methods/costs/cost_parts.hpp"
 #include "methods/costs/costs.hpp"
 
 namespace contactd::server {
 namespace {
-
-/// The job of a call in a worker, with its progress and cancellation.
-class WorkOnCall {
-   public:
-    WorkOnCall(const CallPtr& call, const DaemonParts& parts)
-        : call_(call),
-          job_(job_of(call, "solve", parts.jobs)),
-          reporter_(call, job_),
-          observer_(call, job_, [this](const Progress& progress) { reporter_.report(to_job_progress(progress)); }) {
-        job_->set_running();
-    }
-
-    Observer& observer() { return observer_; }
-    void succeed(const nlohmann::json& result, proto::Frames frames = {}) {
-        job_->end();
-        call_->succeed(result, std::move(frames));
-    }
-    /// Answers with the JSON text of a result.
-    void succeed_with(std::string_view result, proto::Frames frames) {
-        job_->end();
-        call_->succeed_with(result, std::move(frames));
-    }
-
-   private:
-    const CallPtr call_;
-    const std::shared_ptr<Job> job_;
-    Reporter reporter_;
-    JobObserver observer_;
-};
 
 WheelRailSetup setup_of(const CallPtr& call) {
     const proto::Request& request = call->request;
@@ -66,7 +36,7 @@ void solve_wheel(const CallPtr& call, const DaemonParts& parts) {
     const WheelRailSetup setup = setup_of(call);
     const WheelRailState state = proto::read_value<WheelRailState>(params.at("state"), "state");
     ++parts.counters.solves;
-    WorkOnCall work(call, parts);
+    WorkOnCall work(call, parts.jobs);
     const auto begun = RecentSolves::Clock::now();
     const WheelRailSolution solution = parts.engine.solve(setup, state, work.observer());
     parts.recent_solves.add(*call, begun, solution);
@@ -80,7 +50,7 @@ void solve_wheelset(const CallPtr& call, const DaemonParts& parts) {
     const WheelsetSetup setup = wheelset_setup_of(call);
     const WheelsetState state = proto::read_value<WheelsetState>(request.params.at("state"), "state");
     ++parts.counters.solves;
-    WorkOnCall work(call, parts);
+    WorkOnCall work(call, parts.jobs);
     const auto begun = RecentSolves::Clock::now();
     const WheelsetSolution solution = parts.engine.solve(setup, state, work.observer());
     parts.recent_solves.add(*call, begun, solution);
@@ -113,7 +83,7 @@ void locate(const CallPtr& call, const DaemonParts& parts) {
     std::vector<WheelRailState> states;
     for (const nlohmann::json& state : params.value("states", nlohmann::json::array()))
         states.push_back(proto::read_value<WheelRailState>(state, "state"));
-    WorkOnCall work(call, parts);
+    WorkOnCall work(call, parts.jobs);
     proto::ArrayWriter arrays(call->request.arrays);
     nlohmann::json result =
         proto::encode_wheel_rail_geometries(parts.engine.locate(wheelset.setup, states, work.observer()));

@@ -70,8 +70,8 @@ Service::Service(const Config& config, Host host)
       sessions_(config.sessions),
       recent_solves_(config.recent_solves),
       budget_(config.max_work_bytes, workers_),
-      parts_{config,           host_,          open_calls_, counters_,      request_metrics_, health_, engine_,
-             engine_.tables(), engine_.jobs(), sessions_,   recent_solves_, workers_,         budget_},
+      parts_{config,           host_,          open_calls_, counters_,      request_metrics_, health_,  engine_,
+             engine_.tables(), engine_.jobs(), sessions_,   recent_solves_, file_runs_,       workers_, budget_},
       workers_(config.workers, config.spin) {
     engine::count_store(engine_.counters(), config.store.folder);
     for (const std::string& problem : building_problems(config)) engine::EngineLog(host_.log).warn(problem);

@@ -59,6 +59,7 @@ class Service {
     engine::Engine engine_;
     SessionTable sessions_;
     RecentSolves recent_solves_;
+    FileRuns file_runs_;
     WorkBudget budget_;
     const DaemonParts parts_;
     WorkerPool workers_;  // last: its threads use everything above

@@ -1,10 +1,9 @@
 #include "session_table.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
-#include "contactd/platform.hpp"
+#include "sessions/random_name.hpp"
 
 namespace contactd::server {
 
@@ -14,19 +13,6 @@ using proto::StatusError;
 namespace {
 
 constexpr std::size_t remembered_expired = 1024;
-
-/// Returns 128 random bits that cannot be guessed, because the name of a session gives access to it.
-std::string random_name() {
-    std::array<unsigned char, 16> bytes{};
-    platform::random_bytes(bytes);
-    constexpr const char* digits = "0123456789abcdef";
-    std::string name;
-    for (const unsigned char byte : bytes) {
-        name += digits[byte >> 4u];
-        name += digits[byte & 15u];
-    }
-    return name;
-}
 
 StatusError limit(const std::string& sentence) {
     return {StatusCode::resource_exhausted, proto::reason::session_limit, sentence};

@@ -18,6 +18,7 @@ int code_of(std::string_view field) {
 
 int code_of(cases::Subject subject) {
     switch (subject) {
+        case cases::Subject::file:
         case cases::Subject::profile:
             return error_code::profile;
         case cases::Subject::friction:
@@ -26,6 +27,7 @@ int code_of(cases::Subject subject) {
             return error_code::discretisation;
         case cases::Subject::tolerance:
             return error_code::tolerance;
+        case cases::Subject::coefficients:
         case cases::Subject::input:
             return error_code::input;
         default:

@@ -4,10 +4,10 @@
 #include "edge/codes.hpp"
 #include "edge/last_error.hpp"
 #include "handles/stopwatch.hpp"
-#include "history/moved.hpp"
 #include "problem/area.hpp"
 #include "problem/case_models.hpp"
 #include "problem/problem.hpp"
+#include "run/basic_history.hpp"
 
 namespace contactd::cntc {
 
@@ -55,24 +55,12 @@ int calculate(ProblemCase& problem) {
     });
     if (settings.digits.result >= 2) return 0;
     ContactSolution solution = problem.solver.solve(next);
-    take_elements(next, solution, next.friction.has_value());
-    PlasticSlip before;
-    if (problem.solved && !next.previous.empty()) {
-        constexpr int again = 3;
-        const bool repeats = settings.digits.previous == again;
-        before = repeats ? problem.solved->plastic_before : problem.solved->plastic;
-        for (auto* values : {&before.x, &before.y}) *values = on_grid(*values, problem.solved->problem.grid, next.grid);
-    }
-    PlasticSlip plastic = plastic_slip(next, solution, before);
-    problem.solved = Solved{std::move(next), std::move(solution), std::move(before), std::move(plastic)};
-    problem.solved->spin_x = settings.spin_x;
-    problem.solved->spin_y = settings.spin_y;
+    problem.solved =
+        solved_step(settings, std::move(next), std::move(solution), problem.solved ? &*problem.solved : nullptr);
     problem.requested = grid_of(settings);
     problem.current = true;
     Solved& solved = *problem.solved;
-    ContactEvidence evidence = solved.solution.evidence;
-    if (solved.problem.settings.outer.max_iterations == 1) evidence.outer.reset();  // a single iteration was requested
-    require_converged(evidence);
+    require_converged(required_evidence(solved));
     if (const int digit = settings.digits.sensitivities; digit >= 2)
         solved.sensitivities = sensitivities(solved.problem, solved.solution, problem.solver, digit == 3);
     return solved.solution.elements.border;

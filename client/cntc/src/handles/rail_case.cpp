@@ -6,7 +6,6 @@
 #include "edge/codes.hpp"
 #include "edge/last_error.hpp"
 #include "given/given_friction.hpp"
-#include "problem/problem.hpp"
 #include "problem/rail_setup.hpp"
 
 namespace contactd::cntc {
@@ -25,25 +24,6 @@ void use(RailCase& rail, const WheelRailSetup& setup) {
     }
     rail.contact.reset();
     rail.contact = std::make_unique<const WheelRailContact>(setup);
-}
-
-enum Previous { go_on = 0, from_pressures = 1, again = 3 };
-
-/// Returns the start of a step. Tractions are a history only if the step is not steady.
-SharedEstimates start_of(const RailCase& rail, const Settings& common, const WheelRailState& state) {
-    // Simplified models have no initial tractions; the last case only provides a starting value for the height.
-    if (rail.contact->setup().model != Model::full) return rail.estimates;
-    const bool is_steady = state.motion == WheelRailMotion::steady_rolling;
-    const bool has_estimate = common.digits.estimate != 0;
-    const int previous = common.digits.previous;
-    if (is_steady) return has_estimate ? rail.estimates : nullptr;
-    if (previous == from_pressures && rail.estimates) refuse_history_of_pressures();
-    if (previous == go_on) return rail.estimates;
-    if (previous == again) return rail.before;
-    if (!has_estimate || !rail.estimates) return nullptr;
-    WheelRailEstimates start = *rail.estimates;
-    start.patches.clear();
-    return std::make_shared<const WheelRailEstimates>(std::move(start));
 }
 
 void require_all_converged(const WheelRailSolution& solution) {
@@ -91,13 +71,11 @@ void calculate(RailCase& rail, const Settings& common) {
     const WheelRailState state = state_of(common, rail.settings);
     use(rail, setup);
     if (common.digits.result >= 2) return;
-    SharedEstimates start = start_of(rail, common, state);
-    const auto next = start ? std::make_shared<WheelRailEstimates>(*start) : std::make_shared<WheelRailEstimates>();
     Observer observer;
-    rail.solution = rail.contact->solve(state, *next, observer);
+    rail.solution = rail.history.solve(common, rail.contact->setup().model, state, [&](WheelRailEstimates& estimates) {
+        return rail.contact->solve(state, estimates, observer);
+    });
     rail.state = state;
-    rail.before = std::move(start);
-    rail.estimates = next;
     rail.current = true;
     require_contact(rail);
     require_all_converged(*rail.solution);

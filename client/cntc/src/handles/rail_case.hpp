@@ -9,20 +9,18 @@
 #include "answers/rail_places.hpp"
 #include "contactd/solve_wheel_rail.hpp"
 #include "handles/contact_case.hpp"
+#include "run/rail_history.hpp"
 
 namespace contactd::cntc {
-
-/// Estimates shared between steps, because the tractions of all patches are too large to copy in each step. Null: none.
-using SharedEstimates = std::shared_ptr<const WheelRailEstimates>;
 
 struct RailCase {
     std::mutex mutex;  ///< guards the other members
     RailSettings settings;
-    std::unique_ptr<const WheelRailContact> contact{};  ///< kept while the set-up is unchanged
-    std::shared_ptr<const RailOutlines> outlines{};     ///< requested last
-    SharedEstimates before{}, estimates{};              ///< start of the last step, and of the next one
-    std::optional<WheelRailState> state{};              ///< of the last solve
-    std::optional<WheelRailSolution> solution{};        ///< of the last solve
+    std::unique_ptr<const WheelRailContact> contact{};  ///< kept as long as the set-up stays
+    std::shared_ptr<const RailOutlines> outlines{};     ///< that somebody asked for last
+    RailHistory history{};
+    std::optional<WheelRailState> state{};        ///< of the last solve
+    std::optional<WheelRailSolution> solution{};  ///< of the last solve
     bool current = false;  ///< true if it belongs to the last request; a refused case has no results
 };
 

@@ -85,21 +85,21 @@ void take_blocks(Settings& settings, const FileCase& read) {
     for (GivenBlock& block : blocks_of(read)) settings.blocks.emplace(settings.blocks.size() + 1, std::move(block));
 }
 
-void set_basic(int ire, int icp, const FileCase& read, const std::string& folder) {
+void set_basic(int ire, int icp, const FileCase& read, const NamedFiles& files) {
     for_each_settings(&ire, &icp, [&](Settings& settings) {
         set_whole(settings, [&](Settings& all) {
-            set_basic_case(all, read, folder);
+            set_basic_case(all, read, files);
             take_blocks(all, read);
         });
     });
 }
 
-void set_on_rails(int ire, const FileCase& read, const std::string& folder) {
+void set_on_rails(int ire, const FileCase& read, const NamedFiles& files) {
     const auto [rail, common] = Registry::of_process().rail(ire);
     {
         const std::scoped_lock lock(rail->mutex, common->mutex);
         set_whole(common->settings, [&](Settings& all) {
-            set_whole(rail->settings, [&](RailSettings& own) { set_rail_case(all, own, read, folder); });
+            set_whole(rail->settings, [&](RailSettings& own) { set_rail_case(all, own, read, files); });
         });
     }
     int all = all_problems;
@@ -116,13 +116,13 @@ extern "C" void cntc_readinpfile(int* ire, int*, const char* name, int* len_name
         const int length = integer(len_name, "len_name"), element = number_of(ire);
         if (length < 1) throw Refused(error_code::input, "The name of the file is empty.");
         const std::string file(name, static_cast<std::size_t>(length));
-        const std::string folder = std::filesystem::path(file).parent_path().string();
+        const FilesInFolder files(std::filesystem::path(file).parent_path());
         const bool on_rails = of_rail(ire);
         for (const auto& [icp, read] : cases_of(file, element, on_rails)) {
             if (on_rails)
-                set_on_rails(element, read, folder);
+                set_on_rails(element, read, files);
             else
-                set_basic(element, icp, read, folder);
+                set_basic(element, icp, read, files);
             for (const std::string& sentence : read.warnings) warn("In the file \"" + file + "\": " + sentence + ".");
         }
     });

@@ -87,8 +87,8 @@ extern "C" void cntc_setprofileinputfname(int* ire, const char* name, int* len_n
         require(name, "name");
         if (length < 1) throw Refused(error_code::profile, "The name of the profile is empty.");
         std::string file(name, strnlen(name, static_cast<std::size_t>(length)));
-        file.erase(file.find_last_not_of(' ') + 1);  // padding of Fortran
-        return profile_from_file(file, options);
+        file.erase(file.find_last_not_of(' ') + 1);  // Fortran fills up
+        return profile_from_file(file, options, FilesInFolder({}));
     });
 }
 CONTACTD_FORTRAN_NAME(cntc_setprofileinputfname)

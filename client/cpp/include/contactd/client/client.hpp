@@ -22,6 +22,7 @@
 #include "contactd/client/server_info.hpp"
 #include "contactd/conicity.hpp"
 #include "contactd/contact.hpp"
+#include "contactd/contact_file_run.hpp"
 #include "contactd/file_contents.hpp"
 #include "contactd/ic_import.hpp"
 #include "contactd/ic_reply.hpp"
@@ -151,6 +152,16 @@ class Client {
     /// Returns the temperatures (degrees Celsius) of both surfaces in steady rolling along x. Throws
     /// InvalidArgument naming an array that does not fit the grid.
     SurfaceTemperatures temperature(const TemperatureRequest& request, const CallOptions& options = {});
+
+    /// Computes the requested cases of an input file of the CONTACT program: forces, patches and arrays by CONTACT's
+    /// names. Solutions have the arrays that `fields` names. Errors of a case are its outcome. A long run takes several
+    /// requests, each with the timeout. Throws StatusError (INVALID_ARGUMENT) for a text that cannot be read.
+    std::vector<ContactFileOutcome> run_contact_file(const ContactFileInput& input, const CallOptions& options = {},
+                                                     const SolutionFields& fields = all_solution_fields);
+    /// Converts the requested cases to problems of solve and wheel_rail, without solving them. Throws as
+    /// run_contact_file.
+    std::vector<ContactFileProblem> convert_contact_file(const ContactFileInput& input,
+                                                         const CallOptions& options = {});
 
     /// Solves the contact of a wheel with its rail: patches, and forces on the rail (N). Without contact there are no
     /// patches, which is not an error. A repeated set-up costs less. Arrays of the patches that `fields` does not name
