@@ -12,12 +12,13 @@ from pathlib import Path
 
 import contactd
 from contactctl.cases.files import CaseFiles
-from contactd import contact_files
-from contactd.contact_files.answers.compared import Compared
 from contactd.contact_files.case import Case
+from contactd.contact_files.comparison import Compared
+from contactd.contact_files.input_file import name_and_text
+from contactd.contact_files.named_files import NamedFiles
 from contactd.contact_files.out_file import lines_of, out_text
-from contactd.contact_files.profile_files import ProfileFiles
-from contactd.contact_files.runner import Outcome, Runner, chains_of
+from contactd.contact_files.runner import Runner, chains_of, requests_of
+from contactd.contact_files.solved_case import SolvedCase
 from contactd.values.generated.wheel_rail.setup import WheelSurface
 
 __all__ = ["WORKERS", "Computed", "Run", "compute"]
@@ -55,15 +56,17 @@ def compute(file: Path, wheel: WheelSurface) -> Run:
     """Computes the cases of a file on WORKERS workers of this process. Their output goes to a temporary folder."""
     with contactd.local(config={"workers": WORKERS}) as client, tempfile.TemporaryDirectory() as folder:
         began, others = time.monotonic(), _of_others()
-        cases = contact_files.read(file, client).cases
-        runner = Runner(client, ProfileFiles(file.parent, client), wheel)
+        name, text = name_and_text(file)
+        cases = client.read_contact_file(text, name=name).cases
+        runner = Runner(client, text, cases, NamedFiles(file.parent), wheel, name=name, fields=[])
         written = CaseFiles(Path(folder) / "cases.out")
 
-        def run(chain: Sequence[Case]) -> list[tuple[Computed, list[str]]]:
-            return [_kept(outcome, written) for outcome in runner.run(chain)]
+        def run(some: Sequence[Case]) -> list[tuple[Computed, list[str]]]:
+            return [_kept(solved, written) for solved in runner.run(some)]
 
+        requests = requests_of(chains_of(cases), text)
         with ThreadPoolExecutor(WORKERS) as pool:
-            found = {id(one.case): (one, lines) for chain in pool.map(run, chains_of(cases)) for one, lines in chain}
+            found = {id(one.case): (one, lines) for some in pool.map(run, requests) for one, lines in some}
         ordered = [found[id(case)] for case in cases]
         (Path(folder) / "cases.out").write_text(out_text(lines for _, lines in ordered))
         seconds = time.monotonic() - began
@@ -79,8 +82,7 @@ def _of_others() -> float:
     return (user + nice + system + sum(interrupts)) / os.sysconf("SC_CLK_TCK") - own.user - own.system
 
 
-def _kept(outcome: Outcome, written: CaseFiles) -> tuple[Computed, list[str]]:
-    written.keep(outcome)
-    numbers = None if outcome.result is None else outcome.result.compared
-    computed = Computed(outcome.case, outcome.status, outcome.sentence, outcome.seconds, numbers)
-    return computed, lines_of(outcome)
+def _kept(solved: SolvedCase, written: CaseFiles) -> tuple[Computed, list[str]]:
+    written.keep(solved)
+    computed = Computed(solved.case, solved.status, solved.sentence, solved.answer.seconds, solved.compared)
+    return computed, lines_of(solved)

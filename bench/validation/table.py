@@ -3,8 +3,7 @@ and the difference over the tolerance."""
 
 from __future__ import annotations
 
-from contactd.contact_files.answers.compared import Compared
-from contactd.contact_files.comparison import Difference, common
+from contactd.contact_files.comparison import Compared, Difference, common
 from contactd.contact_files.out_reader import PrintedCase
 from paper.rows import Row
 

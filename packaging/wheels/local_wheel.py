@@ -17,8 +17,8 @@ HERE = Path(__file__).parent
 
 def local_wheel(module: Path, static: Sequence[Path], version: str, folder: Path) -> Path:
     """Makes the wheel in `folder`. Its name does not state the required glibc yet: ./dev calls auditwheel, which
-    determines it and rejects a module that requires libraries of this machine. `static` are the folders of
-    static_libraries.sh and ducc0's FFT."""
+    determines it and rejects a module that requires libraries of this machine. `static` are the folders of static_libraries.sh and
+    ducc0's FFT."""
     sources, licenses = origins_of(module).sources(), {}
     for part in static:
         sources += (part / "sources.txt").read_text().splitlines()

@@ -189,16 +189,6 @@ MODULES = [
     ),
     Module("step_input", "Inputs of a step of a contact.", ("session.step.params.json# StepInput",)),
     Module(
-        "contact_files",
-        "Files of the CONTACT program: answers of `Client.read_contact_file` and `Client.read_contact_slices`.",
-        (
-            "contact_file.read.result.json#/properties/cases/items",
-            "contact_file.read.result.json#",
-            "contact_file.slices.result.json#/properties/slices/items",
-            "contact_file.slices.result.json#",
-        ),
-    ),
-    Module(
         "wheel_rail/setup",
         "A wheel on a rail: the common part of all steps of a simulation. Lengths are in mm, angles in rad, forces in N on "
         "the rail. None is the daemon's default.",
@@ -249,5 +239,18 @@ MODULES = [
         "wheel_rail/result",
         "Answers of a wheel on its rail, and of a wheelset. Lengths are in mm, angles in rad, forces in N on the rail.",
         ("wheelrail.solve.result.json#", "wheelrail.wheelset.result.json#"),
+    ),
+    Module(
+        "contact_files",
+        "Files of the CONTACT program: answers of `Client.read_contact_file`, `Client.run_contact_file`, "
+        "`Client.convert_contact_file` and `Client.read_contact_slices`.",
+        (
+            "contact_file.read.result.json#/properties/cases/items",
+            "contact_file.read.result.json#",
+            "contact_file.run.result.json#",
+            "contact_file.convert.result.json#",
+            "contact_file.slices.result.json#/properties/slices/items",
+            "contact_file.slices.result.json#",
+        ),
     ),
 ]

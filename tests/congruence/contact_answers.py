@@ -1,9 +1,9 @@
-"""What CONTACT prints of a case, from both translations of its input files: that of Python, which `contactctl contact`
-uses, and that of the drop-in library. Quantities have the same names and shapes, in mm and N on body 1."""
+"""What CONTACT prints of a case, by both interfaces to its input files: contact_file.run, which `contactctl contact` uses,
+and the drop-in library. Quantities have the same names and shapes, in mm and N on body 1."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -12,14 +12,12 @@ import numpy as np
 import numpy.typing as npt
 
 import contactd
-from contactd import contact_files
-from contactd.contact_files.answers.basic_results import BasicResult
-from contactd.contact_files.answers.elements import Elements
-from contactd.contact_files.answers.rail_results import RailResult
-from contactd.contact_files.answers.subsurface import StressField
 from contactd.contact_files.case import Case
-from contactd.contact_files.profile_files import ProfileFiles
-from contactd.contact_files.runner import Outcome, Runner, chains_of
+from contactd.contact_files.case_results import StressField
+from contactd.contact_files.input_file import name_and_text
+from contactd.contact_files.named_files import NamedFiles
+from contactd.contact_files.runner import Runner, chains_of
+from contactd.contact_files.solved_case import SolvedCase
 from support.contact_text import kept, text_of
 from support.drop_in import ALL, DropIn
 
@@ -28,7 +26,7 @@ __all__ = ["Answers", "differing", "pairs"]
 Floats = npt.NDArray[np.float64]
 Quantities = dict[str, Floats]
 
-_PREVIOUS = 1970  #: the flag of P
+_PREVIOUS, _ESTIMATE = 1970, 1983  #: the flags of P and I
 _STRESSES = (13, 14, 15, 17, 18, 21)  #: columns of xx, xy, xz, yy, yz, zz
 _EQUIVALENT = (7, 8, 9, 10, 11, 12)  #: of the mean, von Mises', Tresca's and the principal stresses, largest first
 _MOVED = (4, 5, 6)  #: of displacements
@@ -53,15 +51,17 @@ class Answers:
 
 
 def pairs(path: Path, folder: Path) -> Iterator[tuple[Case, Answers, Answers]]:
-    """Each case of a file with its answers by Python and by the drop-in library; histories one after the other, each in its
-    order. Files for the library are written into `folder`."""
+    """Each case of a file with its answers by contact_file.run and by the drop-in library; histories one after the other,
+    each in its order. Files for the library are written into `folder`."""
     with contactd.local(config={"workers": 1}) as client:
-        runner = Runner(client, ProfileFiles(path.parent, client), "exact")
-        for ire, chain in enumerate(chains_of(contact_files.read(path, client).cases), 1):
+        _, text = name_and_text(path)
+        cases = client.read_contact_file(text).cases
+        runner = Runner(client, text, cases, NamedFiles(path.parent), fields=[])
+        for ire, chain in enumerate(chains_of(cases), 1):
             element = DropIn(ire, chain[0].module)
             try:
-                for outcome in runner.run(chain):
-                    yield outcome.case, _of_python(outcome), _of_drop_in(element, outcome, path.parent, folder, client)
+                for solved in runner.run(chain):
+                    yield solved.case, _of_file(solved), _of_drop_in(element, solved.case, path.parent, folder, client)
             finally:
                 element.close()
 
@@ -90,101 +90,104 @@ def _is_same(name: str, one: Answers, other: Answers) -> bool:
     return bool(np.max(np.abs(first - second), initial=0) <= _NEAR * largest)
 
 
-# By Python.
+# By contact_file.run.
 
 
-def _of_python(outcome: Outcome) -> Answers:
-    result = outcome.result
-    if result is None:
-        return Answers("read" if outcome.status == "read" else "refused", outcome.sentence)
-    if isinstance(result, BasicResult):
-        return Answers(outcome.status, outcome.sentence, _basic(result), _least(result))
-    return Answers(outcome.status, outcome.sentence, _on_rails(result))
+def _of_file(solved: SolvedCase) -> Answers:
+    if solved.solution is None:
+        return Answers("read" if solved.status == "read" else "refused", solved.sentence)
+    if solved.case.module == 1:
+        return Answers(solved.status, solved.sentence, _on_rails(solved))
+    return Answers(solved.status, solved.sentence, _basic(solved), _least(solved))
 
 
-def _least(result: BasicResult) -> dict[str, float]:
-    eps = result.contact.case.values["EPS"]
-    force = eps * result.solution.Fn * result.contact.friction_unit / 2
-    return {"forces": force, "moment": force, "creepages": eps * max(map(abs, result.creepage))}
+def _least(solved: SolvedCase) -> dict[str, float]:
+    (patch,) = solved.answer.patches
+    eps = solved.case.values["EPS"]
+    force = eps * patch.numbers["FN"] * patch.mu[0] / 2
+    return {"forces": force, "moment": force, "creepages": eps * max(map(abs, _motion(solved)[:2]))}
 
 
-def _basic(result: BasicResult) -> Quantities:
-    contact, solution, numbers = result.contact, result.solution, result.numbers
-    temperature = solution.temperature
-    motion = [*result.creepage, contact.case.values["CPHI"]] if contact.case.digits["T"] > 0 else [0.0] * 3
+def _motion(solved: SolvedCase) -> list[float]:
+    """Creepages or the shift, at the centre of spin, and spin."""
+    values, numbers = solved.case.values, solved.answer.numbers
+    if solved.case.digits["T"] == 0:
+        return [0.0] * 3
+    found = [next((numbers[name] for name in numbers if name.endswith(f" {axis}")), None) for axis in "XY"]
+    prescribed = [values.get("CKSI", 0.0), values.get("CETA", 0.0)]
+    return [*(there if one is None else one for one, there in zip(found, prescribed)), values["CPHI"]]
+
+
+def _basic(solved: SolvedCase) -> Quantities:
+    (patch,), numbers = solved.answer.patches, solved.answer.numbers
     found = {
-        "forces": _floats(numbers["FN"], result.fx, result.fy), "moment": _floats(result.mz),
-        "approach": _floats(numbers["APPROACH"]), "creepages": _floats(*motion),
-        **_of_numbers(numbers, result.elements),
-        "temperatures": _floats(*((temperature.largest_upper, temperature.largest_lower) if temperature else (0, 0))),
-        **_elements(result.elements, contact.case.digits["T"]), **_stresses(result.stresses),
+        "forces": _floats(*(numbers[name] for name in ("FN", "FX", "FY"))), "moment": _floats(numbers["MZ"]),
+        "creepages": _floats(*_motion(solved)), **_of_contact(solved, patch, solved.answer.contact),
     }  # fmt: skip
-    if contact.area.ellipse is not None:
-        ellipse = contact.area.ellipse
-        found["Hertz"] = _floats(ellipse.a1, ellipse.b1, ellipse.aa, ellipse.bb)
+    if solved.case.values["IPOTCN"] < 0:
+        found["Hertz"] = _named(patch, "A1", "B1", "AA", "BB")
     return found
 
 
-def _of_numbers(numbers: Mapping[str, float], elements: Elements) -> Quantities:
+def _of_contact(solved: SolvedCase, patch: Any, solution: Any) -> Quantities:
+    """What contacts of both modules have."""
+    numbers, grid, arrays, tangential = patch.numbers, patch.grid, patch.arrays, solved.case.digits["T"]
     counts = [numbers[name] for name in ("NPOT", "NCON", "NADH", "NSLIP")]
-    area = elements.grid.dx * elements.grid.dy
-    return {
-        "largest pressure": _floats(numbers["PMAX"]), "largest traction": _floats(np.max(elements.traction_size)),
-        "numbers of elements": _floats(*counts, numbers.get("NPLAST", 0)), "areas": _floats(*counts[1:]) * area,
-    }  # fmt: skip
+    along, across = (numbers["SPINXO"], numbers["SPINYO"]) if solved.case.module == 1 else (0.0, 0.0)
+    temperature = solution.temperature
 
+    def fields(*names: str) -> Floats:
+        return np.stack([arrays[name] for name in names])
 
-def _elements(elements: Elements, tangential: int, counted_from: tuple[float, float] = (0.0, 0.0)) -> Quantities:
-    grid, is_in, (along, across) = elements.grid, elements.division > 0, counted_from
     found = {
-        "grid": _floats(grid.nx, grid.ny, grid.x[0] + along, grid.y[0] + across, grid.dx, grid.dy), "division": np.asarray(elements.division, float),
-        "pressure": elements.pressure, "traction": np.stack(elements.traction), "slip": np.stack(elements.slip),
-        "distance": elements.h, "displacement": elements.displacement * is_in,
+        "approach": _floats(numbers["APPROACH"]),
+        "largest pressure": _floats(numbers["PMAX"]),
+        "largest traction": _floats(np.max(np.hypot(arrays["PX"], arrays["PY"]))),
+        "numbers of elements": _floats(*counts, numbers.get("NPLAST", 0)), "areas": _floats(*counts[1:]) * grid.dx * grid.dy,
+        "temperatures": _floats(*((temperature.largest_upper, temperature.largest_lower) if temperature else (0, 0))),
+        "grid": _floats(grid.nx, grid.ny, grid.x[0] + along, grid.y[0] + across, grid.dx, grid.dy),
+        "division": arrays["IGS"], "pressure": arrays["PN"], "traction": fields("PX", "PY"), "slip": fields("SX", "SY"),
+        "distance": arrays["H"], "displacement": fields("UX", "UY", "UN") * (arrays["IGS"] > 0),
     }  # fmt: skip
     if tangential > 0:
-        found |= {"friction": elements.mu, "rigid slip": np.stack(elements.rigid_slip)}
-    if elements.layer is not None:
-        found["layer"] = np.stack(elements.layer)
-    if elements.temperature is not None:
-        found["surface temperature"] = np.stack(elements.temperature)
-    return found
-
-
-def _stresses(blocks: Sequence[StressField]) -> Quantities:
-    found: Quantities = {}
-    for number, block in enumerate(blocks, 1):
+        found |= {"friction": arrays["MU"], "rigid slip": fields("WX", "WY")}
+    if "TAUCRT" in arrays:
+        found["layer"] = fields("TAUCRT", "UPLSX", "UPLSY")
+    if "TEMP1" in arrays:
+        found["surface temperature"] = fields("TEMP1", "TEMP2")
+    for number, block in enumerate(map(StressField, patch.blocks), 1):
         found[f"stresses {number}"] = block.stress
         found[f"equivalent stresses {number}"] = np.stack([block.hydrostatic, block.von_mises, block.tresca, *block.principal[::-1]])
-        found[f"displacement below {number}"] = np.moveaxis(block.displacement, -1, 0)
+        found[f"displacement below {number}"] = np.stack([block.block[f"U{axis}"] for axis in "XYZ"])
     return found
 
 
-def _on_rails(result: RailResult) -> Quantities:
-    forces, solution = result.solution.forces, result.solution
+def _on_rails(solved: SolvedCase) -> Quantities:
+    numbers, wheel = solved.answer.numbers, solved.answer.wheelrail
+    assert wheel is not None
+    moments, deflection = wheel.forces.rail, wheel.rail_deflection
     found = {
-        "patches": _floats(len(result.patches)), "height": _floats(solution.z), "pitch rate": _floats(solution.pitch_rate),
-        "track forces": _floats(forces.track.Fx, forces.track.Fy, forces.track.Fz),
-        "wheelset forces": _floats(forces.wheelset.Fx, forces.wheelset.Fy, forces.wheelset.Fz),
-        "moments": _floats(forces.rail.Mx, forces.rail.My, forces.rail.Mz),
+        "patches": _floats(len(solved.answer.patches)), "height": _floats(wheel.z), "pitch rate": _floats(wheel.pitch_rate),
+        "track forces": _floats(*(numbers[f"F{axis}(TR)"] for axis in "XYZ")),
+        "wheelset forces": _floats(*(numbers[f"F{axis}(WS)"] for axis in "XYZ")),
+        "moments": _floats(moments.Mx, moments.My, moments.Mz),
     }  # fmt: skip
-    deflection = solution.rail_deflection
-    for number, patch in enumerate(result.patches, 1):
-        numbers, elements, reference = result.numbers_of(patch), result.elements_of(patch), patch.place.reference
-        temperature, is_row = patch.solution.temperature, "BAR_FN" in numbers
-        names = ("BAR_FN", "BAR_FX", "BAR_FS") if is_row else ("FN", "FX", "FS")
+    for number, (patch, solution) in enumerate(zip(solved.answer.patches, solved.patches), 1):
+        bar = "BAR_" if "BAR_FN" in patch.numbers else ""
         own = {
-            "forces": _floats(*(numbers[name] for name in names)), "moment": _floats(numbers["MN"]),
-            "approach": _floats(numbers["APPROACH"]), "creepages": _floats(*(numbers[name] for name in ("CKSI", "CETA", "CPHI"))),
-            "reference": _floats(reference.x, reference.y, reference.z, reference.angle),
-            "place on the rail": _floats(*result.on_rail(patch)), "place on the wheel": _floats(*result.on_wheel(patch)),
+            "forces": _named(patch, *(f"{bar}{name}" for name in ("FN", "FX", "FS"))), "moment": _named(patch, "MN"),
+            "creepages": _named(patch, "CKSI", "CETA", "CPHI"),
+            "reference": _named(patch, "XCP(TR)", "YCP(TR)", "ZCP(TR)", "DELTCP(TR)"),
+            "place on the rail": _named(patch, "YCP(R)", "ZCP(R)"), "place on the wheel": _named(patch, "XCP(W)", "YCP(W)", "ZCP(W)"),
             "deflection": _floats(deflection.y, deflection.z) if deflection else np.zeros(2),
-            "temperatures": _floats(*((temperature.largest_upper, temperature.largest_lower) if temperature else (0, 0))),
-            **_of_numbers(numbers, elements),
-            **_elements(elements, result.contact.case.digits["T"], result.spin_centre(patch)),
-            **_stresses(result.stresses_of(patch)),
+            **_of_contact(solved, patch, solution),
         }  # fmt: skip
         found |= {f"patch {number}: {name}": values for name, values in own.items()}
     return found
+
+
+def _named(patch: Any, *names: str) -> Floats:
+    return _floats(*(patch.numbers[name] for name in names))
 
 
 def _floats(*values: Any) -> Floats:
@@ -194,18 +197,18 @@ def _floats(*values: Any) -> Floats:
 # By the drop-in library.
 
 
-def _of_drop_in(element: DropIn, outcome: Outcome, origin: Path, folder: Path, client: Any) -> Answers:
-    """A file has the first case of a history: P, by which it goes on, is set by its flag."""
-    case = outcome.case
+def _of_drop_in(element: DropIn, case: Case, origin: Path, folder: Path, client: Any) -> Answers:
+    """A file has the first case of a history: P and I, by which it goes on, are set by their flags."""
     if case.digits["R"] in (2, 3):
         return Answers("read")
     path = folder / "case.inp"
     path.write_text(text_of(case, origin))
-    (again,) = contact_files.read(path, client).cases
+    (again,) = client.read_contact_file(path.read_text()).cases
     assert kept(again, origin) == kept(case, origin), "the text of the case has lost something"
     if element.read(path) != 0:
         return Answers("refused", element.sentence)
     element.flag(_PREVIOUS, case.digits["P"])
+    element.flag(_ESTIMATE, case.digits["I"])
     status, sentence = element.calculate()
     if status == "refused":
         return Answers(status, sentence)

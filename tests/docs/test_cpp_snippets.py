@@ -31,7 +31,7 @@ def test_a_snippet_compiles(code, tmp_path):
         own = [line for line in code.splitlines() if line.startswith("#include")]
         rest = "\n".join(line for line in code.splitlines() if not line.startswith("#include"))
         source.write_text(FRAME.format(includes="\n".join([*(f"#include <{name}>" for name in HEADERS), *own]), code=rest))
-    folders = [f"-I{ROOT / folder}" for folder in ("client/cpp/include", "core/include")]
+    folders = [f"-I{ROOT / folder}" for folder in ("client/cpp/include", "cases/include", "core/include")]
     compiled = subprocess.run(["g++", "-std=c++20", "-fsyntax-only", *folders, source], capture_output=True, text=True)
     assert compiled.returncode == 0, compiled.stderr
 

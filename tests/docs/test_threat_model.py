@@ -24,7 +24,7 @@ READERS = {
     "client/python/contactd/files/table_files.py": "`.npz`",
     "client/python/contactd/wear/states.py": "states and steps of wear",
     "client/python/contactd/transport/curve.py": "keys",
-    "cases/given/file_values.cpp": "`.txt`",
+    "cases/given/named_files.cpp": "`.txt`",
     "client/cntc/src/interface/input_file.cpp": "`.inp`",
     "client/fmu/instance/serialized.cpp": "saved states of FMUs",
     "client/fmu/models/slices.cpp": "lists of slices",

@@ -1,5 +1,6 @@
-"""contact_file.read: cases of input files of the CONTACT program, in pages, and against what the program printed of them."""
+"""contact_file.*: cases of input files of the CONTACT program, read in pages, against what it printed of them, and computed."""
 
+import asyncio
 import json
 from collections import Counter
 from pathlib import Path
@@ -127,3 +128,39 @@ def test_public_cases_are_echoed_as_the_program_printed_them(shared, given):
                     differ[file["file"], case.number, echo.name] = (echo.printed, echo.expected)
     assert differ == NOT_ECHOED
     assert compared.total() == 26881
+
+
+def test_a_run_continues_in_further_calls_with_the_same_answers(shared):
+    text = BALL + NEXT.format(500) + NEXT.format(800) + END
+    whole = shared.run_contact_file(text, fields=[])
+    assert [case.status for case in whole.cases] == ["solved"] * 3 and whole.run is None
+    parts = [shared.run_contact_file(text, seconds=1e-9, fields=[])]
+    while parts[-1].run is not None:
+        parts.append(shared.run_contact_file(run=parts[-1].run, seconds=1e-9, fields=[]))
+    assert [len(part.cases) for part in parts] == [1, 1, 1, 0]
+    for one, other in zip(whole.cases, (case for part in parts for case in part.cases), strict=True):
+        assert one.numbers == other.numbers
+    with pytest.raises(contactd.NotFound):
+        shared.run_contact_file(run=parts[0].run)
+    with pytest.raises(contactd.InvalidArgument, match="without run"):
+        shared.run_contact_file(text, run="x")
+
+
+def test_chosen_cases_and_arrays_are_returned(shared):
+    text = BALL + NEXT.format(500) + END
+    (case,) = shared.run_contact_file(text, cases=[1], fields="pressure").cases
+    assert case.numbers["FN"] == pytest.approx(500)
+    assert case.patches[0].arrays["PN"].shape == case.contact.pressure.shape == (20, 20)
+    assert case.contact.traction_x is None and case.contact.grid == case.patches[0].grid
+    (bare,) = shared.run_contact_file(text, cases=[1], arrays=False).cases
+    assert bare.patches[0].arrays is None and isinstance(bare.contact, contactd.ContactSolution)
+
+
+def test_the_asynchronous_client_runs_and_converts_files(shared):
+    async def both():
+        async with contactd.AsyncClient(shared.endpoint) as client:
+            return await client.run_contact_file(BALL + END), await client.convert_contact_file(BALL + END)
+
+    computed, converted = asyncio.run(both())
+    assert computed.cases[0].contact.Fn == pytest.approx(1000)
+    assert shared.call("contact.solve", dict(converted.cases[0].contact))["pmax"] == computed.cases[0].contact.pmax

@@ -2,9 +2,8 @@
 
 import pytest
 
-from contactd.contact_files.profile_files import ProfileFiles
-from contactd.contact_files.runner import Runner
 from support.contact_cases import rail_case
+from support.contact_runs import computed
 
 SIZE = (2 << 20) - 200
 CHARACTERS = {"blanks": " ", "line ends": "\n", "quotes": '"', "apostrophes": "'", "digits": "1", "tabs": "\t", "commas": ","}
@@ -17,7 +16,7 @@ def test_a_case_with_such_a_profile_is_wrong(shared, tmp_path, ending, character
     """Also with a scale and a mirror, for which it matters what the file says itself."""
     (tmp_path / f"rail.{ending}").write_text(HEADS[ending] + SIZE * CHARACTERS[character])
     case = rail_case(RFNAME=f"rail.{ending}", RAIL_SCALE=1000.0, RAIL_MIRRORY=-1)
-    (outcome,) = Runner(shared, ProfileFiles(tmp_path, shared)).run([case])
+    (outcome,) = computed(shared, [case], tmp_path)
     assert outcome.status in ("wrong", "refused"), outcome.sentence
     assert 0 < len(outcome.sentence) < 1000
 

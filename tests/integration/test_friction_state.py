@@ -76,7 +76,7 @@ def test_friction_with_memory_has_its_coefficients(shared):
 
 def test_steps_that_outrun_what_particles_remember_warn(shared):
     brief = KineticFriction(0.15, 90, memory=FrictionMemory(1e-5, 1))
-    with pytest.warns(ContactWarning, match="not resolved"):
+    with pytest.warns(ContactWarning, match="does not resolve the memory"):
         shared.solve(WHEEL.replace(friction=Friction(0.35, kinetic=brief, rolling=WHEEL.friction.rolling)))
 
 

@@ -247,6 +247,8 @@ REQUESTS = [
     ("wheelrail.geometry", {"setup": WHEEL, "left": WHEEL, "states": [{}], "contacts": {"shifts": [0], "roll": "demanded"},
                             "conicity": {"amplitudes": [1], "roll": "neglected"}}),
     ("contact_file.read", {"text": "0", "name": "a.inp"}),
+    ("contact_file.run", {"text": "0", "name": "a.inp", "files": [{"name": "a.prr", "text": "0 0"}], "wheel_surface": "exact"}),
+    ("contact_file.convert", {"text": "0", "name": "a.inp", "files": [{"name": "a.prr", "failure": "No such file"}]}),
     ("contact_file.slices", {"text": "0 1\n2\n0 0 0\n1\n0 'a.prr'\n10 'b.prr'\n", "name": "a.slcs"}),
     ("solves.pressures", {"number": 1}),
     *((f"session.{method}", {"session": "0" * 32}) for method in ("info", "save", "close")),

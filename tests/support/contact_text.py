@@ -71,10 +71,10 @@ def _path(folder: Path, name: Any) -> Path:
     return folder / str(name).replace("\\", "/")
 
 
-def text_of(case: Case, folder: Path) -> str:
-    """Returns the text. Names of profiles and coefficients are relative to `folder`. P is 2 and I is 0, as in every
-    first case."""
-    lines = _OnRails(case, folder).lines() if case.module == 1 else _Basic(case, folder).lines()
+def text_of(case: Case, folder: Path, is_first: bool = True) -> str:
+    """The text. Profiles and coefficients get their names from `folder` on. P is 2 and I is 0, as of every first case; others
+    have their own P, I, A and O, and no end."""
+    lines = [*(_OnRails if case.module == 1 else _Basic)(case, folder, is_first).lines(), *([[0, "MODULE"]] if is_first else [])]
     return "".join(f"{' '.join(_word(word) for word in line)}\n" for line in lines)
 
 
@@ -83,8 +83,12 @@ def _word(word: Any) -> str:
 
 
 class _Text:
-    def __init__(self, case: Case, folder: Path) -> None:
+    def __init__(self, case: Case, folder: Path, is_first: bool) -> None:
         self.case, self.digits, self.values, self.folder = case, case.digits, case.values, folder
+        self.previous, self.estimate, self.files, self.prints = (
+            (2, 0, 0, 0) if is_first else (case.digits[name] for name in ("P", "I", "A", "O"))
+        )  # fmt: skip
+        self.module = f"{case.module} MODULE" if is_first or case.reid is None else f"{case.module} {case.reid} {case.cpid or ''}"
 
     def named(self, names: str) -> list[Any]:
         return [self.values[name] for name in names.split()]
@@ -99,7 +103,7 @@ class _Text:
 
     def third_word(self) -> Line:
         heat = 3 if self.digits["H"] else 0
-        return [f"0{heat}{self.values['GAUSEI']}00001"]
+        return [f"0{heat}{self.values['GAUSEI']}{self.estimate}{self.files}{self.prints}01"]
 
     def damping(self) -> str:
         has_values = self.digits["M2"] != 0 and "CDAMPN" in self.values
@@ -128,7 +132,7 @@ class _Text:
         for one in self.case.friction:
             yield [one[name] for name in names.split()]
         if law != 0:
-            yield self.named("MEMDST MEM_S0")
+            yield [self.values.get("MEMDST", 0.0), self.values.get("MEM_S0", 1.0)]
 
     def blocks(self) -> Iterator[Line]:
         if self.digits["S"] == 0:
@@ -157,8 +161,8 @@ class _Text:
 class _Basic(_Text):
     def lines(self) -> Iterator[Line]:
         digit, values = self.digits, self.values
-        yield ["3 MODULE"]
-        yield [f"2{digit['B']}{digit['T']}{digit['N']}{digit['F']}{3 if digit['S'] else 0}"]
+        yield [self.module]
+        yield [f"{self.previous}{digit['B']}{digit['T']}{digit['N']}{digit['F']}{3 if digit['S'] else 0}"]
         yield [f"{values['VARFRC']}{values['FRCLAW']}2{values['INFLCF']}{digit['M']}2{self.extra_slip()}", self.damping()]
         yield self.third_word()
         yield from self.bounds()
@@ -170,6 +174,9 @@ class _Basic(_Text):
             yield [*self.named("CHI DQ VELOC"), *([values["FACPHI"]] if "FACPHI" in values else [])]
         if values["INFLCF"] == 9:
             yield [self.file("CFNAME")]
+        if values["INFLCF"] == 4:
+            yield [*self.named("IF_METH VARIANT"), len(values["ANGLE"])]
+            yield from zip(values["ANGLE_Y"], values["ANGLE"])
         yield from self.bodies()
         yield from self.area()
         if values["VARFRC"] == 3:
@@ -177,7 +184,6 @@ class _Basic(_Text):
         if self.extra_slip() == 9:
             yield from _many(part for pair in zip(values["SLIP_X"], values["SLIP_Y"]) for part in pair)
         yield from self.blocks()
-        yield [0, "MODULE"]
 
     def extra_slip(self) -> int:
         return int(self.values.get("EXRHS", 0)) if self.digits["E"] != 0 else 0
@@ -209,8 +215,8 @@ class _OnRails(_Text):
     def lines(self) -> Iterator[Line]:
         digit, values, roller = self.digits, self.values, self.digits["C1"] >= _ROLLER
         is_flexible = "DXWHL" in values
-        yield ["1 MODULE"]
-        yield [f"{digit['C1']}2{digit['B']}{digit['T']}{digit['N']}{digit['F']}{3 if digit['S'] else 0}"]
+        yield [self.module]
+        yield [f"{digit['C1']}{self.previous}{digit['B']}{digit['T']}{digit['N']}{digit['F']}{3 if digit['S'] else 0}"]
         yield [f"{values['VARFRC']}{values['FRCLAW']}{values['DISCNS']}{values['INFLCF']}{digit['M']}3{5 if is_flexible else 3}",
                self.damping()]  # fmt: skip
         yield self.third_word()
@@ -234,7 +240,6 @@ class _OnRails(_Text):
             yield self.named(_DEVIATIONS[0])
             yield self.named(_DEVIATIONS[1])
         yield from self.blocks()
-        yield [0, "MODULE"]
 
     def profile(self, name: str, of: str) -> Iterator[Line]:
         options = [self.values[of + option] for option in ("MIRRORY", "SCALE", "SMOOTH", "MIRRORZ", "PRFOPT")]

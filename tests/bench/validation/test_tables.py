@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from contactd.contact_files.answers.compared import Compared
+from contactd.contact_files.comparison import Compared
 from contactd.contact_files.out_reader import PrintedCase
 from support.contact_cases import basic_case, rail_case
 from validation import times

@@ -99,7 +99,7 @@ def test_what_only_a_daemon_has_takes_a_daemon(monkeypatch, section):
     config = {section: "ipc:///nowhere/socket" if section == "endpoint" else {"no such": 1}}
     with pytest.raises(DaemonFailed, match="ended with status"), contactd.local(config=config):
         pass
-    with pytest.raises(TypeError, match=f"config has {section}"), contactd.local(config=config, in_process=True):
+    with pytest.raises(TypeError, match=f"config contains {section}"), contactd.local(config=config, in_process=True):
         pass
 
 

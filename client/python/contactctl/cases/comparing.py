@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from contactd.contact_files.answers.compared import Compared
-from contactd.contact_files.comparison import case_differences, matched
+from contactd.contact_files.comparison import Compared, case_differences, matched
 from contactd.contact_files.out_reader import PrintedCase
 
 __all__ = ["compared_rows"]

@@ -10,7 +10,7 @@ import click
 from contactd.contact_files.case import Case
 from contactd.contact_files.prints.mat_file import mat_texts
 from contactd.contact_files.prints.subs_file import subs_texts
-from contactd.contact_files.runner import Outcome
+from contactd.contact_files.solved_case import SolvedCase
 from contactd.files.whole import read_whole
 
 from ..files import check_own, write_text
@@ -49,14 +49,13 @@ class CaseFiles:
             if path.suffix in stems and not stems[path.suffix].isdisjoint({path.stem, path.stem[:-1]}):
                 check_own("--output", path)
 
-    def keep(self, outcome: Outcome) -> None:
+    def keep(self, solved: SolvedCase) -> None:
         """Writes the files of a case."""
-        if outcome.result is None:
+        if solved.solution is None:
             return
-        for letter, text in mat_texts(outcome.result):
-            write_text(self._named(outcome.case, f"{outcome.case.number:04d}{letter}.mat"), text)
-        for letter, text in subs_texts(outcome.result):
-            write_text(self._named(outcome.case, f"{outcome.case.number:04d}{letter}.subs"), text)
+        for ending, texts in ((".mat", mat_texts), (".subs", subs_texts)):
+            for letter, text in texts(solved):
+                write_text(self._named(solved.case, f"{solved.number:04d}{letter}{ending}"), text)
 
     def _named(self, case: Case, ending: str) -> Path:
         """Each result element counts its cases separately."""

@@ -11,7 +11,7 @@ from typing import Any
 from contactd import __version__
 from contactd.contact_files.case import Case
 from contactd.contact_files.out_file import lines_of
-from contactd.contact_files.runner import Outcome
+from contactd.contact_files.solved_case import SolvedCase
 
 from ..codes import Code
 from ..output import plain_json
@@ -41,15 +41,15 @@ def code_of_status(status: str) -> Code:
     return _CODES.get(status, Code.REFUSED)
 
 
-def row_of(key: str, outcome: Outcome) -> dict[str, Any]:
+def row_of(key: str, solved: SolvedCase) -> dict[str, Any]:
     """Returns the row of a case, whether or not it was computed."""
-    answers: dict[str, Any] = {"status": outcome.status, "sentence": outcome.sentence, "lines": lines_of(outcome)}
-    if outcome.warnings:
-        answers["warnings"] = list(outcome.warnings)
-    if outcome.result is not None:
-        answers["numbers"] = plain_json(outcome.result.compared)
-    code = int(code_of_status(outcome.status))
-    return {"key": key, "code": code, "values": row_values(outcome.case), "answers": answers, "seconds": outcome.seconds}
+    answers: dict[str, Any] = {"status": solved.status, "sentence": solved.sentence, "lines": lines_of(solved)}
+    if solved.warnings:
+        answers["warnings"] = list(solved.warnings)
+    if (compared := solved.compared) is not None:
+        answers["numbers"] = plain_json(compared)
+    code = int(code_of_status(solved.status))
+    return {"key": key, "code": code, "values": row_values(solved.case), "answers": answers, "seconds": solved.answer.seconds}
 
 
 def row_values(case: Case) -> dict[str, Any]:

@@ -3,31 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from typing import Any
 
 from contactd.contact_files.case import Case
-from contactd.contact_files.runner import Outcome, Runner
+from contactd.contact_files.runner import Runner
+from contactd.contact_files.solved_case import SolvedCase
 
 from ..study.journal import Journal
 from ..study.threads import Add, by_threads
-from .rows import keys_of, row_of
+from .rows import row_of
 
-__all__ = ["run_chains"]
+__all__ = ["run_requests"]
 
 
-def run_chains(
-    runner: Runner, chains: Sequence[Sequence[Case]], options: Mapping[str, Any], journal: Journal, workers: int,
-    keep: Callable[[Outcome], None], on_row: Callable[[], None],
+def run_requests(
+    runner: Runner, requests: Sequence[Sequence[Case]], keys: Mapping[int, str], journal: Journal, workers: int,
+    keep: Callable[[SolvedCase], None], on_row: Callable[[], None],
 ) -> None:  # fmt: skip
-    """Adds a row for each case to the journal, except for complete chains, and calls `on_row` in this thread. `keep`
-    writes the other files of an outcome.
+    """Adds a row for each case of some requests to the journal, and calls `on_row` in this thread. `keys` are by the
+    identities of the cases. `keep` writes the other files of a case.
     """
-    todo = [chain for chain in chains if any(key not in journal.rows for key in keys_of(chain, options))]
 
-    def compute(chain: Sequence[Case], add: Add) -> None:
-        for key, outcome in zip(keys_of(chain, options), runner.run(chain)):
-            keep(outcome)
-            if not add(row_of(key, outcome)):
+    def compute(cases: Sequence[Case], add: Add) -> None:
+        for solved in runner.run(cases):
+            keep(solved)
+            if not add(row_of(keys[id(solved.case)], solved)):
                 return
 
-    by_threads(todo, compute, journal, workers, on_row)
+    by_threads(requests, compute, journal, workers, on_row)

@@ -9,7 +9,6 @@ import click
 import typer
 
 from contactd import Client, ComparedModel, ModelComparison
-from contactd.contact_files.profile_files import ProfileFiles
 from contactd.refusals import did_you_mean
 from contactd.values.wheel_rail.comparison import FULL, combinations
 from contactd.wheel_rail import WheelRailSolution
@@ -19,8 +18,8 @@ from ..cases.converting import case_params
 from ..cases.reading import read_cases
 from ..codes import Code, Ended
 from ..common import Command, connected, setting
-from ..files import allowed_folders, read_object, writable, write_text
-from ..output import above_rounding, emit, listing, note, span, warn
+from ..files import read_object, writable, write_text
+from ..output import above_rounding, emit, listing, span, warn
 from ..paths import changed
 from ..progress import Bar
 from ..saving import check_picture
@@ -96,14 +95,13 @@ def _check_outputs(plot: str | None, table: Path | None) -> None:
 
 def _case_of(file: Path, number: int | None, client: Client) -> dict[str, Any]:
     found = read_cases(file, client)
-    cases = found.cases
-    for sentence in found.errors:
-        note(f"{file}: {sentence}")
+    cases = found.content.cases
     if number is None and len(cases) != 1:
         raise click.UsageError(f"{file} has {len(cases)} cases: choose one with --case.")
     if not 1 <= (number or 1) <= len(cases):
         raise click.UsageError(f"--case {number}: {file} has {len(cases)} cases.")
-    return case_params(cases[(number or 1) - 1], client, ProfileFiles(file.parent, client, allowed_folders(file.parent)))
+    (converted,) = found.runner(client, file.name).converted([cases[(number or 1) - 1]])
+    return case_params(converted)
 
 
 def _row(one: ComparedModel) -> dict[str, Any]:

@@ -12,21 +12,20 @@ import click
 import typer
 
 from contactd import Client
-from contactd.contact_files.case import Case, ContactFile
 from contactd.contact_files.out_file import out_text
 from contactd.contact_files.out_reader import printed_cases
-from contactd.contact_files.profile_files import ProfileFiles
-from contactd.contact_files.runner import Runner, chains_of, checked
+from contactd.contact_files.python_text import python_text
+from contactd.contact_files.runner import Runner, chains_of, requests_of
 
 from ..cases.comparing import compared_rows
-from ..cases.converting import as_python, as_yaml
+from ..cases.converting import as_yaml
 from ..cases.files import CaseFiles, read_printed
-from ..cases.reading import read_cases
+from ..cases.reading import ReadFile, read_cases
 from ..cases.rows import case_name, code_of_status, keys_of, row_values
-from ..cases.running import run_chains
+from ..cases.running import run_requests
 from ..codes import Code, Ended
 from ..common import Command, Group, connected, setting
-from ..files import allowed_folders, writable, write_text
+from ..files import writable, write_text
 from ..output import emit, listing, note, warn_of
 from ..progress import Bar
 from ..study.journal import Journal
@@ -54,8 +53,7 @@ def check(file: File) -> None:
     """
     with connected(local_unless_named=True) as client:
         read_file = _read(file, client)
-        most_elements = client.info().limits.max_grid_elements
-    found = checked(read_file.cases, most_elements)
+        found = read_file.runner(client, file.name).checked(read_file.content.cases)
     rows = [{**_named(row_values(one.case)), "status": _status_text(one.status), "why": one.sentence} for one in found]
     counts = Counter(str(row["status"]) for row in rows)
     remarks = [row for row in rows if row["why"]]
@@ -87,14 +85,12 @@ def run(
         raise click.UsageError(f"--compare {compare}: the file has no printed case; give an .out file of CONTACT.")
     with connected(workers=workers, local_unless_named=True) as client:
         read_file = _read(file, client)
-        cases = read_file.cases
-        chains = chains_of(cases)
-        profiles = ProfileFiles(file.parent, client, allowed_folders(file.parent))
-        options = {"wheel": wheel, "files": profiles.digests(cases)}
-        runner = Runner(client, profiles, surface)
+        cases = read_file.content.cases
+        options = {"wheel": wheel, "files": read_file.files.digests(cases)}
         files = CaseFiles(place)
         files.check(cases)
-        rows = _computed(runner, chains, options, Path(f"{place}.rows"), workers, fresh, files)
+        runner = read_file.runner(client, file.name, surface)
+        rows = _computed(runner, read_file, options, Path(f"{place}.rows"), workers, fresh, files)
     ordered = [rows[id(case)] for case in cases]
     write_text(place, out_text(row["answers"]["lines"] for row in ordered))
     Path(f"{place}.rows").unlink(missing_ok=True)
@@ -117,36 +113,31 @@ def convert(
     place = writable("convert", output)
     with connected(local_unless_named=True) as client:
         read_file = _read(file, client)
-        cases = read_file.cases
+        cases = read_file.content.cases
         if case is not None and not 1 <= case <= len(cases):
             raise click.UsageError(f"--case {case}: {file} has {_cases(len(cases))}.")
         chosen = cases if case is None else cases[case - 1 : case]
-        profiles = ProfileFiles(file.parent, client, allowed_folders(file.parent))
-        if output.suffix == ".py":
-            text = as_python(file, chosen, client, profiles)
-        elif len(chosen) != 1:
+        if output.suffix == ".yaml" and len(chosen) != 1:
             raise click.UsageError(f"YAML can contain one case, but {file} has {len(chosen)}: choose one with --case.")
-        else:
-            text = as_yaml(chosen[0], client, profiles)
+        converted = list(read_file.runner(client, file.name).converted(chosen))
+    text = as_yaml(converted[0]) if output.suffix == ".yaml" else python_text(f"Cases of {file.name}, by contactd.", converted)
     write_text(place, text)
-    _end([str(one.status) for one in checked(chosen)], read_file)
+    _end([str(one.status) for one in converted], read_file)
 
 
-def _read(file: Path, client: Client) -> ContactFile:
-    """Reads a file with cases, and shows its errors between cases."""
+def _read(file: Path, client: Client) -> ReadFile:
+    """Reads a file with cases."""
     found = read_cases(file, client)
-    for sentence in found.errors:
-        note(f"{file}: {sentence}")
-    if not found.cases:
+    if not found.content.cases:
         raise Ended(Code.USAGE, f"{file} has no cases.")
     return found
 
 
 def _computed(
-    runner: Runner, chains: Sequence[Sequence[Case]], options: dict[str, Any], path: Path, workers: int, fresh: bool, files: CaseFiles
+    runner: Runner, read_file: ReadFile, options: dict[str, Any], path: Path, workers: int, fresh: bool, files: CaseFiles
 ) -> dict[int, dict[str, Any]]:
-    """Returns the rows of all cases."""
-    total = sum(map(len, chains))
+    """Returns the rows of all cases. Complete chains of a journal are not computed again."""
+    chains, total = chains_of(read_file.content.cases), len(read_file.content.cases)
     with Journal(path) as journal:
         if fresh:
             journal.forget(set(journal.rows))
@@ -160,7 +151,9 @@ def _computed(
                 bar.show(done / max(1, total), f"{done} of {total} cases")
 
             try:
-                run_chains(runner, chains, options, journal, min(workers, max(1, len(chains))), files.keep, on_row)
+                todo = [chain for chain in chains if any(keys[id(case)] not in journal.rows for case in chain)]
+                requests = requests_of(todo, read_file.text)
+                run_requests(runner, requests, keys, journal, min(workers, max(1, len(requests))), files.keep, on_row)
             except BaseException:
                 note(f"{len(set(keys.values()) & journal.rows.keys())} of {total} cases are in {path}; repeat the command to continue.")
                 raise
@@ -211,9 +204,9 @@ def _listed(remarks: Sequence[dict[str, Any]], last: str) -> list[Any]:
     return [*([listing(None, heading, lines)] if lines else []), *more, last]
 
 
-def _end(statuses: Sequence[str], read_file: ContactFile) -> None:
+def _end(statuses: Sequence[str], read_file: ReadFile) -> None:
     """Ends with the code of the worst problem, in the cases or between them."""
-    statuses = [*statuses, *("wrong" for _ in read_file.errors)]
+    statuses = [*statuses, *("wrong" for _ in read_file.content.errors)]
     bad = Counter(status for status in statuses if status not in ("solved", "read"))
     if not bad:
         return

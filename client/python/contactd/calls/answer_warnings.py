@@ -19,7 +19,7 @@ _LISTS = ("ic.list", "ic.import")
 _PARTS = {"result": "", "evidence": "", "ics": "", "upper": "", "lower": "", "pair": "", "wheelrail": "", "solution": "",
           "solutions": "problems", "steps": "steps", "geometries": "states", "left": "left", "right": "right",
           "patches": "patches", "profiles": "profiles", "wheel_evidence": "wheel", "rail_evidence": "rail",
-          "cases": "cases"}  # fmt: skip
+          "cases": "cases", "contact": ""}  # fmt: skip
 _MOST_PARTS = 5  #: Maximum number of named parts with the same sentence.
 _COLLECTED: ContextVar[list[str] | None] = ContextVar("collected", default=None)
 

@@ -19,7 +19,8 @@ from .case import Case, ContactFile
 from .input_file import read
 from .runner import run
 from .slice_list import read_slices
-from .solved_cases import CaseComparison, ComparedCase, SolvedCase, SolvedCases
+from .solved_case import SolvedCase
+from .solved_cases import CaseComparison, ComparedCase, SolvedCases
 
 __all__ = [
     "Case",

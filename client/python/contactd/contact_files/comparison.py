@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
-from .answers.compared import Compared
 from .out_reader import PrintedCase
 
-__all__ = ["Difference", "case_differences", "common", "differences", "matched"]
+__all__ = ["Compared", "Difference", "case_differences", "common", "differences", "matched"]
 
 _FORCES = ("FN", "FX", "FY", "FS", "MZ", "MN", "FX(TR)", "FY(TR)", "FZ(TR)", "FX(WS)", "FY(WS)", "FZ(WS)", "BAR_FN", "BAR_FX", "BAR_FS")
 _MOTIONS = ("CREEP X", "CREEP Y", "SHIFT X", "SHIFT Y", "CKSI", "CETA")
@@ -21,6 +20,23 @@ _ELEMENTS = 3.0
 _NO_MOTION = 1e-9  #: Creepages and spin (1/mm) that result from rounded velocities.
 _LENGTH = 0.01  # mm
 _ANGLE = 2e-4  # rad
+
+
+@dataclass(frozen=True)
+class Compared:
+    """The compared numbers of a case, by their printed labels.
+
+    Attributes:
+        numbers: Numbers of the whole case.
+        bound: mu Fn (N).
+        patches: Numbers of each patch, for cases on rails.
+        bounds: The bound mu Fn of each patch (N).
+    """
+
+    numbers: dict[str, float]
+    bound: float
+    patches: list[dict[str, float]] = field(default_factory=list)
+    bounds: list[float] = field(default_factory=list)
 
 
 @dataclass(frozen=True)

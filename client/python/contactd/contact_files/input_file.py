@@ -8,7 +8,7 @@ from ..files.case_text import text_of
 from ..values.generated.contact_files import ContactFile
 from .asked_client import AskedClient
 
-__all__ = ["read"]
+__all__ = ["name_and_text", "read"]
 
 
 def read(path_or_text: str | os.PathLike[str], client: AskedClient) -> ContactFile:
@@ -19,8 +19,13 @@ def read(path_or_text: str | os.PathLike[str], client: AskedClient) -> ContactFi
 
     Raises OSError for a file that cannot be read or is larger than 16 MiB.
     """
-    if isinstance(path_or_text, str) and "\n" in path_or_text:
-        file: ContactFile = client.read_contact_file(path_or_text)
-    else:
-        file = client.read_contact_file(text_of(path_or_text), name=os.path.basename(os.fspath(path_or_text)))
+    name, text = name_and_text(path_or_text)
+    file: ContactFile = client.read_contact_file(text, name=name)
     return file
+
+
+def name_and_text(path_or_text: str | os.PathLike[str]) -> tuple[str, str]:
+    """Returns the name of a file in error messages, and its text."""
+    if isinstance(path_or_text, str) and "\n" in path_or_text:
+        return "text", path_or_text
+    return os.path.basename(os.fspath(path_or_text)), text_of(path_or_text)

@@ -4,28 +4,27 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from .answers.basic_results import BasicResult
 from .prints.out_basic import basic_lines
 from .prints.out_patches import patch_lines
 from .prints.out_rails import rail_lines
 from .prints.out_text import case_head, head
-from .runner import Outcome
+from .solved_case import SolvedCase
 
 __all__ = ["lines_of", "out_text"]
 
 
-def lines_of(outcome: Outcome) -> list[str]:
+def lines_of(solved: SolvedCase) -> list[str]:
     """Returns the lines of a case, or the reason why it was not computed."""
-    if outcome.result is None:
-        return [*case_head(outcome.case), f" {outcome.status.upper()}: {outcome.sentence}"]
-    if isinstance(outcome.result, BasicResult):
-        lines = basic_lines(outcome.result)
+    if solved.solution is None:
+        return [*case_head(solved.case), f" {solved.status.upper()}: {solved.sentence}"]
+    if solved.answer.wheelrail is None:
+        lines = basic_lines(solved)
     else:
-        lines = rail_lines(outcome.result)
-        for number, patch in enumerate(outcome.result.patches if lines else (), 1):
-            lines += ["", *patch_lines(outcome.result, patch, number)]
-    if outcome.sentence and lines:
-        lines[2:2] = [f" WARNING: {outcome.sentence}"]
+        lines = rail_lines(solved)
+        for number, elements in enumerate(solved.elements if lines else (), 1):
+            lines += ["", *patch_lines(elements, number)]
+    if solved.sentence and lines:
+        lines[2:2] = [f" WARNING: {solved.sentence}"]
     return lines
 
 

@@ -1,69 +1,47 @@
-"""Runs cases in order. A file is a history: a step starts from the end of the previous one. An error in a case
-therefore affects its successors, but not other histories.
+"""Runs cases of an input file with a client. A file is a history: a step starts from the end of the previous one. An
+error in a case therefore affects its successors, but not other histories.
 """
 
 from __future__ import annotations
 
 import os
-import time
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal, get_args
+from typing import Any
 
 from ..calls.answer_warnings import collected, give
-from ..errors import InvalidArgument, StatusError, TableFileError, TimeoutExpired, invalid
+from ..errors import ProtocolError, StatusError, TimeoutExpired, invalid
 from ..refusals import public
 from ..transport.shared_client import shared_client
-from ..values.generated.problem import ContactProblem, Estimate
-from ..values.generated.result import Field
-from ..values.generated.subsurface import StressBlock, SubsurfaceStress
+from ..values.generated.contact_files import CaseStatus, ComputedCase, ComputedCases, ConvertedCase
 from ..values.generated.wheel_rail.setup import WheelSurface
-from ..values.wheel_rail.params import setup_params
-from .answers.basic_results import BasicResult
-from .answers.rail_results import RailResult
-from .answers.subsurface import Body, Stresses
+from ..values.solution import Fields
 from .asked_client import AskedClient
 from .case import Case
-from .input_file import read
-from .problems.basic import BasicContact, ReadCoefficients, State, goes_on
-from .problems.features import MOST_ELEMENTS, Missing, missing
-from .problems.mistakes import mistakes
-from .problems.rails import Profiles, RailContact
-from .problems.refusals import in_words_of
-from .profile_files import ProfileFiles
-from .solved_cases import SolvedCase, SolvedCases
+from .input_file import name_and_text
+from .named_files import NamedFiles
+from .solved_case import SolvedCase
+from .solved_cases import SolvedCases
 
-__all__ = ["Outcome", "Runner", "Status", "chains_of", "checked", "run"]
+__all__ = ["Runner", "chains_of", "goes_on", "requests_of", "run"]
 
-Status = Literal["solved", "not converged", "read", "refused", "failed", "follows", "wrong"]
-"""What became of a case: read and not to be computed (R = 2, 3); refused for what contactd does not have, or for numbers that
-it does not take; failed at the service; one that follows from a case that was not computed; or one that the file, or one that
-it names, has wrong."""
+_ANEW = 2  #: P
+_SHIFT, _TRANSIENT = 1, 2  #: T
+_USUAL_ELEMENTS = 40_000
+_MOST_REQUESTS, _MOST_BYTES = 256, 1 << 28  #: Of requests, each of which has the text.
+_CONVERTED = 100  #: Number of cases in one answer with parameters.
 
 
-@dataclass(frozen=True, eq=False)
-class Outcome:
-    """The outcome of a case, with a sentence about its limitations and the warnings of its answers."""
-
-    case: Case
-    status: Status
-    sentence: str = ""
-    result: BasicResult | RailResult | None = None
-    seconds: float = 0.0
-    warnings: tuple[str, ...] = ()
-
-    @property
-    def is_solved(self) -> bool:
-        """True if there are numbers."""
-        return self.result is not None
+def goes_on(case: Case) -> bool:
+    """Returns whether a case starts from the end of an earlier one. A case without digits, which could not be read,
+    does not.
+    """
+    return case.digits.get("P") != _ANEW and case.digits.get("T") in (_SHIFT, _TRANSIENT)
 
 
 def chains_of(cases: Iterable[Case]) -> list[list[Case]]:
-    """Returns chains of cases that must be run in sequence; chains are independent of each other. They are ordered by
-    their last cases.
-    """
+    """Returns chains of cases that must be run in sequence; chains are independent of each other."""
     open_chains: dict[object, list[Case]] = {}
     chains: list[list[Case]] = []
     for case in cases:
@@ -76,158 +54,109 @@ def chains_of(cases: Iterable[Case]) -> list[list[Case]]:
     return chains
 
 
-def checked(cases: Iterable[Case], most_elements: int = MOST_ELEMENTS) -> list[Outcome]:
-    """Returns the outcomes of a check without computation, in the order of the file. `most_elements` is the limit of
-    the service (`client.info().limits.max_grid_elements`).
-    """
-    found: dict[int, Outcome] = {}
-    for chain in chains_of(cases):
-        broken: Case | None = None
-        for case in chain:
-            outcome = _refusal(case, broken, most_elements) or Outcome(case, "read")
-            found[id(case)] = outcome
-            broken = broken or (case if outcome.status != "read" else None)
-    return [found[id(case)] for case in cases]
-
-
-def _refusal(case: Case, broken: Case | None, most_elements: int) -> Outcome | None:
-    if case.errors:
-        return Outcome(case, "wrong", "; ".join(case.errors))
-    if found := mistakes(case):
-        return Outcome(case, "wrong", f"{'; '.join(found)}.")
-    if names := missing(case, most_elements):
-        return Outcome(case, "refused", f"contactd does not support: {', '.join(names)}.")
-    if broken is not None and goes_on(case):
-        return Outcome(case, "follows", f"It continues case {broken.number} in line {broken.line}, which is not computed.")
-    return None
+def requests_of(chains: Sequence[list[Case]], text: str) -> list[list[Case]]:
+    """Returns the cases of each request. The service reads the text of every request, so that there are not too many."""
+    most = max(1, min(_MOST_REQUESTS, _MOST_BYTES // max(1, len(text))))
+    count = max(1, -(-len(chains) // most))
+    groups = (chains[first : first + count] for first in range(0, len(chains), count))
+    return [[case for chain in group for case in chain] for group in groups]
 
 
 class Runner:
-    """Runs cases with a client. Several threads may run different chains at the same time."""
+    """Runs `cases` of a `text` with a client. Several threads may run different cases at the same time.
 
-    def __init__(self, client: AskedClient, profiles: Profiles, wheel_surface: WheelSurface = "exact") -> None:
-        self._client = client
-        self._profiles, self._wheel_surface = profiles, wheel_surface
+    `fields` are the arrays of the solutions; None requests all. After `seconds`, the service answers with the cases that
+    are complete.
+    """
+
+    def __init__(
+        self, client: AskedClient, text: str, cases: Sequence[Case], files: NamedFiles, wheel_surface: WheelSurface = "exact",
+        *, name: str = "text", fields: Fields | None = None, seconds: float | None = None,
+    ) -> None:  # fmt: skip
+        self._client, self._text, self._name, self._files = client, text, name or "text", files
+        self._wheel_surface, self._fields, self._seconds = wheel_surface, fields, seconds
+        self._index = {id(case): index for index, case in enumerate(cases)}
+        self._cases = cases
         self._most_elements = client.info().limits.max_grid_elements
-        self._coefficients: ReadCoefficients | None = getattr(profiles, "coefficients", None)
 
-    def run(self, chain: Iterable[Case]) -> Iterator[Outcome]:
-        """Returns the outcomes of the cases of a chain.
+    def run(self, cases: Iterable[Case]) -> Iterator[SolvedCase]:
+        """Returns the outcomes of complete chains of cases.
 
         Raises errors of the connection. Other errors are outcomes of their cases.
         """
-        chain = list(chain)
-        steps = _RailSteps(self._client) if len(chain) > 1 and chain[0].module == 1 else None
-        try:
-            yield from self._run(chain, steps)
-        finally:
-            if steps is not None:
-                steps.close()
+        left = self._in_order(cases)
+        while left:
+            done = 0
+            try:
+                for part in self._parts(left):
+                    for answer in part.cases:
+                        yield SolvedCase(left[done], answer)
+                        done += 1
+                if done < len(left):
+                    raise ProtocolError(f"The answers lack {len(left) - done} cases.")
+                return
+            except (StatusError, TimeoutExpired) as error:
+                failed, rest = left[done], left[done + 1 :]
+                yield _without_results(failed, "failed", str(error))
+                left = []
+                for chain in chains_of(rest):
+                    if goes_on(chain[0]):
+                        yield from (_following(case, failed) for case in chain)
+                    else:
+                        left += chain
+                left = self._in_order(left)
 
-    def _run(self, chain: Iterable[Case], steps: _RailSteps | None) -> Iterator[Outcome]:
-        broken: Case | None = None
-        last: State | None = None
-        before: State | None = None
-        for case in chain:
-            began = time.monotonic()
-            outcome = _refusal(case, broken, self._most_elements)
-            if outcome is None and case.digits["R"] in (2, 3):
-                yield Outcome(case, "read", "It is read but not computed (R = 2, 3).")
-                continue
-            start = before if case.digits.get("P") == 3 else last
-            if outcome is None:
-                outcome = self._outcome(case, start if goes_on(case) else None, steps, began)
-            if outcome.result is None:
-                broken = broken or case
-            elif isinstance(outcome.result, BasicResult):
-                before, last = start if goes_on(case) else None, _state_of(outcome.result)
-            yield outcome
+    def _in_order(self, cases: Iterable[Case]) -> list[Case]:
+        return sorted(cases, key=lambda case: self._index[id(case)])
 
-    def _outcome(self, case: Case, start: State | None, steps: _RailSteps | None, began: float) -> Outcome:
-        with collected() as sentences:
-            outcome = self._computed(case, start, steps, began)
-        return replace(outcome, warnings=tuple(sentences))
+    def _parts(self, cases: list[Case]) -> Iterator[ComputedCases]:
+        common: dict[str, Any] = {"seconds": self._seconds, "fields": self._fields, "max_elements": self._elements_of(cases)}
+        with collected():  # The caller names the cases.
+            part = self._client.run_contact_file(self._text, **self._input(cases), **common)
+        yield part
+        while part.run is not None:
+            with collected():
+                part = self._client.run_contact_file(run=part.run, **common)
+            yield part
 
-    def _computed(self, case: Case, start: State | None, steps: _RailSteps | None, began: float) -> Outcome:
-        try:
-            result = self._on_rails(case, steps) if case.module == 1 else self._basic(case, start)
-        except Missing as error:
-            return Outcome(case, "refused", f"contactd does not support: {error}.")
-        except InvalidArgument as error:
-            return Outcome(case, "refused", in_words_of(case, error))
-        except (StatusError, TimeoutExpired) as error:
-            return Outcome(case, "failed", str(error))
-        except TableFileError as error:
-            return Outcome(case, "wrong", f"{error}.")
-        except OSError as error:
-            return Outcome(case, "wrong", f"{error.filename or 'A file of this case'}: {error.strerror or error}.")
-        is_complete = result.is_converged
-        status: Status = "solved" if is_complete else "not converged"
-        sentence = "" if is_complete else "A solver or a search missed its tolerance."
-        return Outcome(case, status, sentence, result, time.monotonic() - began)
+    def converted(self, cases: Sequence[Case]) -> Iterator[ConvertedCase]:
+        """Returns the parameters of each case."""
+        for first in range(0, len(cases), _CONVERTED):
+            some = list(cases[first : first + _CONVERTED])
+            most = self._elements_of(some)
+            yield from self._client.convert_contact_file(self._text, **self._input(some), max_elements=most).cases
 
-    def _basic(self, case: Case, start: State | None) -> BasicResult:
-        contact = BasicContact.of(case, self._normal_force, start, self._coefficients)
-        problem = contact.problem.replace(displacements=contact.problem.model is None)
-        return BasicResult.of(contact, self._client.solve(problem), self._stresses)
+    def checked(self, cases: Sequence[Case]) -> list[SolvedCase]:
+        """Returns the outcomes of a check without computation, in the order of the file."""
+        found = {id(case): _without_results(case, one.status, one.sentence) for case, one in zip(cases, self.converted(cases))}
+        for chain in chains_of(cases):
+            broken: Case | None = None
+            for case in chain:
+                if broken is not None and goes_on(case) and found[id(case)].status == "read":
+                    found[id(case)] = _following(case, broken)
+                elif found[id(case)].status != "read":
+                    broken = broken or case
+        return [found[id(case)] for case in cases]
 
-    def _on_rails(self, case: Case, steps: _RailSteps | None) -> RailResult:
-        contact = RailContact.of(case, self._profiles, self._wheel_surface)
-        if steps is not None:
-            return steps.solve(contact, self._stresses)
-        solution = self._client.wheel_rail(contact.setup, replace(contact.state, displacements=contact.setup.model is None), gap=True)
-        return RailResult.of(contact, solution, self._stresses)
+    def _input(self, cases: list[Case]) -> dict[str, Any]:
+        return {
+            "name": self._name, "files": self._files.contents(cases), "cases": [self._index[id(case)] for case in cases],
+            "wheel_surface": self._wheel_surface,
+        }  # fmt: skip
 
-    def _stresses(self, problem: ContactProblem, acting: Estimate, body: Body, block: StressBlock) -> SubsurfaceStress:
-        stress: SubsurfaceStress = self._client.subsurface(problem, acting, body=body, block=block, displacements=True)
-        return stress
-
-    def _normal_force(self, problem: ContactProblem) -> float:
-        return float(self._client.solve(problem, fields=[]).Fn)
+    def _elements_of(self, cases: Iterable[Case]) -> int:
+        """Returns the number of elements that the service must accept."""
+        counts = [case.values.get("MX", 0) * case.values.get("MY", 0) for case in cases]
+        return int(min(self._most_elements, max([_USUAL_ELEMENTS, *counts])))
 
 
-class _RailSteps:
-    """The steps of one chain of cases, in a session that the first one opens."""
-
-    def __init__(self, client: AskedClient) -> None:
-        self._client = client
-        self._session: Any = None
-        self._opened: object = None
-        self._last: RailResult | None = None
-
-    def solve(self, contact: RailContact, stresses: Stresses) -> RailResult:
-        """Solves the next step, or repeats the last one (P = 3). Raises Missing if profiles, track or elements differ
-        from those of the previous step.
-        """
-        common = setup_params(contact.setup.replace(friction=None))
-        again = contact.case.digits["P"] == 3 and self._last is not None
-        if self._session is None:
-            self._session = self._client.wheel_rail_session(contact.setup, accept_unconverged=True)
-            self._opened = common
-        elif common != self._opened:
-            raise Missing("a step that continues with other profiles, track, materials or elements")
-        state = replace(contact.state, displacements=contact.setup.model is None)
-        friction, fields = contact.setup.friction, get_args(Field)
-        solution = self._session.step(state, friction=friction, fields=fields, gap=True, again=again)
-        before = None
-        if self._last is not None and goes_on(contact.case):
-            before = self._last.before if again else self._last.patches
-        self._last = RailResult.of(contact, solution, stresses, before)
-        return self._last
-
-    def close(self) -> None:
-        """Ends the session."""
-        if self._session is not None:
-            self._session.close()
-            self._session = None
+def _without_results(case: Case, status: CaseStatus, sentence: str) -> SolvedCase:
+    answer = ComputedCase(case.number, case.line, case.module, status, sentence, (), 0.0, {}, (), case.reid, case.cpid)
+    return SolvedCase(case, answer)
 
 
-def _state_of(result: BasicResult) -> State:
-    solution = result.solution
-    return State(
-        result.contact.area.grid, solution.pressure, solution.traction_x, solution.traction_y, solution.yield_stress,
-        solution.friction_coefficient, result.plastic,
-    )  # fmt: skip
+def _following(case: Case, broken: Case) -> SolvedCase:
+    return _without_results(case, "follows", f"It continues case {broken.number} in line {broken.line}, which is not computed.")
 
 
 @public
@@ -253,27 +182,27 @@ def run(
     ContactWarning names it, in addition to the warnings of the answers. Raises OSError for a file that cannot be read,
     and InvalidArgument for one without cases.
     """
-    is_text = isinstance(path, str) and "\n" in path
-    place = Path("text") if is_text else Path(path)
+    name, text = name_and_text(path)
+    folder = Path(".") if text is path else Path(path).parent
     asked: AskedClient = shared_client() if client is None else client
     with collected():  # Warnings of reading are reported with the cases.
-        file = read(path, asked)
+        file = asked.read_contact_file(text, name=name)
     if not file.cases:
-        raise invalid(os.fspath(place), f"has no cases. {' '.join(file.errors)}".strip())
-    folders = [place.parent, *map(Path, allow_folders)]
-    runner = Runner(asked, ProfileFiles(place.parent, asked, folders), wheel_surface)
-    results = _results(runner, chains_of(file.cases), workers or os.cpu_count() or 1)
-    cases = tuple(SolvedCase(results[id(case)]) for case in file.cases)
+        raise invalid(name if text is path else os.fspath(path), f"has no cases. {' '.join(file.errors)}".strip())
+    files = NamedFiles(folder, [folder, *map(Path, allow_folders)])
+    runner = Runner(asked, text, file.cases, files, wheel_surface, name=name)
+    found = _results(runner, requests_of(chains_of(file.cases), text), workers or os.cpu_count() or 1)
+    cases = tuple(found[id(case)] for case in file.cases)
     give([*file.errors, *file.warnings, *(sentence for case in cases for sentence in _sentences_of(case))])
     return SolvedCases(cases, file.errors)
 
 
-def _results(runner: Runner, chains: list[list[Case]], workers: int) -> dict[int, Outcome]:
-    if workers == 1 or len(chains) == 1:
-        return {id(one.case): one for chain in chains for one in runner.run(chain)}
-    pool = ThreadPoolExecutor(min(workers, len(chains)))
+def _results(runner: Runner, requests: list[list[Case]], workers: int) -> dict[int, SolvedCase]:
+    if workers == 1 or len(requests) == 1:
+        return {id(one.case): one for cases in requests for one in runner.run(cases)}
+    pool = ThreadPoolExecutor(min(workers, len(requests)))
     try:
-        futures = [pool.submit(lambda chain: list(runner.run(chain)), chain) for chain in chains]
+        futures = [pool.submit(lambda cases: list(runner.run(cases)), cases) for cases in requests]
         return {id(one.case): one for future in futures for one in future.result()}
     finally:
         pool.shutdown(cancel_futures=True)

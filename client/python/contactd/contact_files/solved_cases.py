@@ -10,92 +10,12 @@ from typing import Any, overload
 from ..errors import invalid
 from ..files.case_text import text_of
 from ..refusals import public
-from ..values.generated.wheel_rail.forces import WheelRailForces
-from ..values.generated.wheel_rail.result import WheelRailSolution
 from ..values.representation import Rows, Shown
-from ..values.solution import ContactSolution, Forces, Solution
-from .case import Case
 from .comparison import case_differences, matched
 from .out_reader import printed_cases
+from .solved_case import SolvedCase
 
 __all__ = ["CaseComparison", "ComparedCase", "SolvedCase", "SolvedCases"]
-
-
-@dataclass(frozen=True, eq=False, repr=False)
-class SolvedCase(Shown):
-    """A case of an input file with its results. Units are those of CONTACT: mm, N, rad, N/mm^2.
-
-    Attributes:
-        outcome: The outcome of the runner: the case, its problem and its answers.
-    """
-
-    outcome: Any
-
-    @property
-    def case(self) -> Case:
-        """The case as read from the file."""
-        case: Case = self.outcome.case
-        return case
-
-    @property
-    def number(self) -> int:
-        """Its number, as printed by CONTACT."""
-        return self.case.number
-
-    @property
-    def status(self) -> str:
-        """The outcome. With results: ``solved`` or ``not converged``. Without: ``read``, ``refused``, ``failed``,
-        ``follows`` (it continues a case that was not computed) or ``wrong``.
-        """
-        return str(self.outcome.status)
-
-    @property
-    def sentence(self) -> str:
-        """The reason why there are no results, or their limitations; empty for a solved case."""
-        return str(self.outcome.sentence)
-
-    @property
-    def warnings(self) -> tuple[str, ...]:
-        """Warnings in the answers of this case."""
-        return tuple(self.outcome.warnings)
-
-    @property
-    def solution(self) -> ContactSolution | WheelRailSolution | None:
-        """The solution: of a contact for module 3, of a wheel on its rail for module 1; or None."""
-        result = self.outcome.result
-        solution: ContactSolution | WheelRailSolution | None = None if result is None else result.solution
-        return solution
-
-    @property
-    def forces(self) -> Forces | WheelRailForces | None:
-        """The forces of the solution (N): on body 1, or on the rail."""
-        return None if self.solution is None else self.solution.forces
-
-    @property
-    def patches(self) -> tuple[Solution[Any, Any], ...]:
-        """The contacts with their forces and their element arrays, shape [ny, nx]. Module 3 has one; module 1 has all
-        patches in CONTACT's order, from the field side to the gauge side.
-        """
-        result = self.outcome.result
-        if result is None:
-            return ()
-        return (result.solution,) if self.case.module == 3 else tuple(one.solution for one in result.patches)
-
-    @property
-    def numbers(self) -> dict[str, float]:
-        """The numbers of the whole case by CONTACT's labels, such as "FN" and "PMAX", or "FX(TR)"."""
-        return {} if self.outcome.result is None else dict(self.outcome.result.compared.numbers)
-
-    def _title(self) -> str:
-        return f"SolvedCase {self.number}"
-
-    def _rows(self) -> Rows:
-        rows: Rows = [("status", self.status), ("patches", len(self.patches))]
-        rows += [(name, value) for name, value in self.numbers.items() if name.startswith(("FN", "FX", "FY", "FZ(TR)"))]
-        return [*rows, *([("why", self.sentence)] if self.sentence else [])]
-
-    def _remarks(self) -> Sequence[str]:
-        return self.warnings
 
 
 @dataclass(frozen=True, eq=False)
@@ -194,8 +114,8 @@ class SolvedCases(Sequence[SolvedCase], Shown):
         theirs = matched(((one.case.number, one.case.reid, one.case.cpid) for one in self.cases), printed)
         compared = []
         for case, other in zip(self.cases, theirs):
-            result = case.outcome.result
-            apart = () if other is None or result is None else tuple(case_differences(result.compared, other))
+            found = case.compared
+            apart = () if other is None or found is None else tuple(case_differences(found, other))
             compared.append(ComparedCase(case, other is not None, apart))
         return CaseComparison(tuple(compared))
 

@@ -90,7 +90,7 @@ def test_a_run_by_several_threads_has_the_order_of_the_file(client, folder):
 def test_what_is_printed_by_contactd_agrees_with_itself(client, folder):
     (folder / "printing.inp").write_text(INPUT.replace("000001 H-G", "000201 H-G"))
     cases = contact_files.run("printing.inp", client)
-    (folder / "own.out").write_text(out_text(lines_of(case.outcome) for case in cases))
+    (folder / "own.out").write_text(out_text(map(lines_of, cases)))
     assert cases.compare("own.out").agrees
 
 

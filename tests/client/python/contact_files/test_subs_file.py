@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contactd.contact_files.answers.subsurface import StressField
+from contactd.contact_files.case_results import COMPONENTS, StressField
 from contactd.contact_files.prints.out_subsurface import extremes
 from contactd.contact_files.prints.subs_file import subs_text
 
@@ -14,7 +14,9 @@ from contactd.contact_files.prints.subs_file import subs_text
 def field() -> StressField:
     stress = np.zeros((6, 2, 1, 3))
     stress[0, 1, 0, 2], stress[5, 0, 0, 1], stress[2, 1, 0, 0] = 4.0, -7.0, 1.5
-    return StressField(np.array([-1.0, 0.0, 1.0]), np.array([0.5]), np.array([-2.0, 0.1]), np.zeros((2, 1, 3, 3)), stress)
+    block = {"X": np.array([-1.0, 0.0, 1.0]), "Y": np.array([0.5]), "Z": np.array([-2.0, 0.1])}
+    block |= {f"U{axis}": np.zeros((2, 1, 3)) for axis in "XYZ"}
+    return StressField(block | {f"SIG{name}": part for name, part in zip(COMPONENTS, stress)})
 
 
 def test_a_file_of_points_has_x_fastest_and_one_width() -> None:

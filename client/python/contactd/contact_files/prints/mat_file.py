@@ -9,9 +9,8 @@ import numpy as np
 
 from ..._version import MARK
 from ...values.generated.grid import Grid
-from ..answers.basic_results import BasicResult
-from ..answers.elements import Elements
-from ..answers.rail_results import LETTERS, RailResult
+from ..case_results import LETTERS, Elements, rolling_step, step_on
+from ..solved_case import SolvedCase
 from .mat_places import PatchPlaces, patch_places
 from .numbers import fortran_g
 from .out_laws import NAMES_OF_LAWS
@@ -20,34 +19,34 @@ __all__ = ["mat_texts"]
 
 _COLUMNS = 11
 _OF_MATERIAL: dict[int, tuple[str, ...]] = {1: ("FG1", "FG2", "TC1", "TC2"), 4: ("GG3", "LAYTHK", "TAU_C0", "K_TAU")}
+_LAYER, _HEAT = ("TAUCRT", "UPLSX", "UPLSY"), ("TEMP1", "TEMP2")
 _FORMAT = 2410.0  #: Version of the format; readers look for it in the last column.
 
 Cell = float | int
 
 
-def mat_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
+def mat_texts(solved: SolvedCase) -> Iterator[tuple[str, str]]:
     """Yields a letter (empty for basic contact) and the text of each contact; nothing if the digit A is 0."""
-    case = result.contact.case
-    if case.digits["A"] == 0:
-        return
-    if isinstance(result, BasicResult):
-        motion = (result.contact.chi, result.contact.dq, result.velocity)
-        yield "", _text(case, PatchPlaces.none(case), motion, result.elements)
-        return
-    for index, patch in enumerate(result.patches):
-        creepages = patch.place.creepages
-        motion = (creepages.chi, result.contact.step_on(patch.place.grid), creepages.velocity)
-        yield LETTERS[index % len(LETTERS)], _text(case, patch_places(result, patch, index + 1), motion, result.elements_of(patch))
+    case = solved.case
+    for index, elements in enumerate(solved.elements if case.digits["A"] != 0 else ()):
+        if elements.on_rail is None:
+            motion = (*rolling_step(case, elements.patch), case.values["VELOC"])
+            yield "", _text(case, PatchPlaces.none(case), motion, elements)
+        else:
+            creepages = elements.on_rail.place.creepages
+            motion = (creepages.chi, step_on(case, elements.patch), creepages.velocity)
+            yield LETTERS[index % len(LETTERS)], _text(case, patch_places(solved, index), motion, elements)
 
 
 def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], elements: Elements) -> str:
-    values, digits, grid = case.values, case.digits, elements.grid
+    values, digits, grid = case.values, case.digits, elements.patch.grid
     chi, dq, velocity = motion
     law = values["FRCLAW"]
     friction = [case.friction[0][name] for name in NAMES_OF_LAWS[law]] if case.friction else []
     if law != 0:
         friction += [values.get("MEMDST", 0.0), values.get("MEM_S0", 0.0)]
-    width = _COLUMNS + len(elements.layer or ()) + len(elements.temperature or ())
+    layer, heat = elements.pairs_of(_LAYER), elements.pairs_of(_HEAT)
+    width = _COLUMNS + len(layer) + len(heat)
 
     def header(cells: Sequence[Cell]) -> str:
         return _header(cells, width)
@@ -67,8 +66,8 @@ def _text(case: Any, places: PatchPlaces, motion: tuple[float, float, float], el
         "% frclaw, heat, veloc, friction",
         header([law, digits["H"], velocity, *friction]),
         "%    I    IGS    H             MU            PN            PX            PY            UN            UX            UY"
-        "            SREL" + ("" if elements.layer is None else "          TAUCRT        UPLSX         UPLSY")
-        + ("" if elements.temperature is None else "          TEMP1         TEMP2"),
+        "            SREL" + ("          TAUCRT        UPLSX         UPLSY" if layer else "")
+        + ("          TEMP1         TEMP2" if heat else ""),
         *_elements(elements, digits["A"] == 1),
     ]  # fmt: skip
     return "\n".join([*lines, ""])
@@ -88,10 +87,8 @@ def _header(cells: Sequence[Cell], width: int) -> str:
 def _elements(elements: Elements, in_contact_only: bool) -> Iterator[str]:
     flat = elements.division.ravel()
     chosen = np.flatnonzero(flat) if in_contact_only else np.arange(flat.size)
-    slip = np.hypot(*elements.slip)
-    displacement = elements.displacement
-    columns = [elements.h, elements.mu, elements.pressure, *elements.traction, displacement[2], displacement[0], displacement[1], slip, *(elements.layer or ())]
-    columns += elements.temperature or ()
+    columns = [elements[name] for name in ("H", "MU", "PN", "PX", "PY", "UN", "UX", "UY")]
+    columns += [np.hypot(elements["SX"], elements["SY"]), *elements.pairs_of(_LAYER, _HEAT)]
     table = np.stack([column.ravel() for column in columns], axis=1)
     for index in chosen:
         yield f"{index + 1:7d} {int(flat[index]):4d}  " + "".join(fortran_g(float(value), 14, 6) for value in table[index])

@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
-from ...values.generated.wheel_rail.result import WheelRailPatch
-from ..answers.rail_places import along_axle
-from ..answers.rail_results import RailResult
-
-if TYPE_CHECKING:
-    from ...values.generated.contact_files import ContactCase as Case
+from ..case import Case
+from ..case_results import is_right
+from ..solved_case import SolvedCase
 
 __all__ = ["PatchPlaces", "patch_places"]
+
+_REFERENCE = ("XCP(TR)", "YCP(TR)", "ZCP(TR)", "DELTCP(TR)", "XCP(W)", "YCP(W)", "ZCP(W)")
 
 
 @dataclass(frozen=True)
@@ -43,16 +41,18 @@ class PatchPlaces:
         return cls([], [], [*[0.0] * 7, 1, 1, *centre], 0.0)
 
 
-def patch_places(result: RailResult, patch: WheelRailPatch, number: int) -> PatchPlaces:
+def patch_places(solved: SolvedCase, index: int) -> PatchPlaces:
     """Returns the positions of a patch; patches are counted from the field side."""
-    values, contact, reference = result.contact.case.values, result.contact, patch.place.reference
-    along = values.get("S_WS", values.get("X_WS", 0.0))
-    rail, wheel = result.solution.rail_frame, result.solution.wheel_frame
-    place = [reference.x, reference.y, reference.z, reference.angle, *result.on_wheel(patch)]
+    values, wheel = solved.case.values, solved.answer.wheelrail
+    assert wheel is not None
+    patches, rail, of_wheel = solved.answer.patches, wheel.rail_frame, wheel.wheel_frame
+    reference = [patches[index].numbers[name] for name in _REFERENCE]
+    centre = (patches[index].numbers["SPINXO"], patches[index].numbers["SPINYO"])
+    along_axle = values["FBDIST"] / 2 - values["FBPOS"]
     return PatchPlaces(
-        [0.0, along, values["PITCH"], rail.y, rail.z, rail.roll, values.get("NOMRADR", 0.0)],
-        [wheel.x, wheel.y, wheel.z, wheel.roll, wheel.yaw, values["NOMRADW"]],
-        [*place, len(result.patches), number, *result.spin_centre(patch)],
-        along_axle(contact),
-        result.spin_centre(patch),
-    )
+        [0.0, values.get("S_WS", values.get("X_WS", 0.0)), values["PITCH"], rail.y, rail.z, rail.roll, values.get("NOMRADR", 0.0)],
+        [of_wheel.x, of_wheel.y, of_wheel.z, of_wheel.roll, of_wheel.yaw, values["NOMRADW"]],
+        [*reference, len(patches), index + 1, *centre],
+        along_axle if is_right(solved.case) else -along_axle,
+        centre,
+    )  # fmt: skip

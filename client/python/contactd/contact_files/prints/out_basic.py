@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Mapping
+from typing import Any
 
-from ..answers.basic_results import BasicResult
-from ..problems.bodies import combined, is_viscoelastic
+from ...values.generated.contact_files import ComputedPatch
+from ...values.generated.evidence import ContactEvidence
+from ..case import Case
+from ..case_results import StressField, pair_of, rolling_step
+from ..solved_case import SolvedCase
 from .numbers import fixed, fortran_g, general
 from .out_division import division, quantities
 from .out_heat import heat_lines, largest_temperature
@@ -15,42 +20,45 @@ from .out_text import case_head, digits, g_row, gs_row, interfacial_layer, row, 
 
 __all__ = ["basic_lines"]
 
-def basic_lines(result: BasicResult) -> list[str]:
+_VISCOELASTIC = 1  #: M
+
+
+def basic_lines(solved: SolvedCase) -> list[str]:
     """Returns all lines of a case, according to its digit O."""
-    case = result.contact.case
-    level, digit = case.digits["O"], case.digits
+    case, (elements,), contact = solved.case, solved.elements, solved.answer.contact
+    level, digit, patch = case.digits["O"], case.digits, elements.patch
+    assert contact is not None
     if level == 0:
         return []
     lines = case_head(case)
     if level == 1:
-        return [*lines, *_totals(result)]
-    lines += [*digits(case), *_sentences(result)]
+        return [*lines, *_totals(case, patch)]
+    lines += [*digits(case), *_sentences(case)]
     if digit["Z"] >= 1 and case.values["IPOTCN"] < 0:
-        lines += ["", *_hertz(result)]
+        lines += ["", *_hertz(case, patch)]
     if digit["C"] >= 2:
-        lines += ["", *_materials(result)]
-    if digit["C"] >= 2 and is_viscoelastic(case):
-        lines += ["", *_creep(result)]
+        lines += ["", *_materials(case)]
+    if digit["C"] >= 2 and digit["M"] == _VISCOELASTIC:
+        lines += ["", *_creep(case.values)]
     if digit["C"] >= 2 and digit["M"] == 4:
         lines += ["", *interfacial_layer(case.values)]
     if digit["L"] != 1:
-        lines += ["", *_friction(result)]
-    lines += ["", *_motion(result)]
-    lines += ["", " TOTAL FORCES, TORSIONAL MOMENT, ELASTIC ENERGY, FRICTIONAL POWER", *_totals(result)]
-    lines += ["", *_sensitivities(result), "", *_statistics(result)]
+        lines += ["", *_friction(case)]
+    lines += ["", *_motion(case, patch)]
+    lines += ["", " TOTAL FORCES, TORSIONAL MOMENT, ELASTIC ENERGY, FRICTIONAL POWER", *_totals(case, patch)]
+    lines += ["", *_sensitivities(case), "", *_statistics(case, patch, contact.evidence)]
     if level >= 3:
-        lines += ["", *division(result.elements)]
+        lines += ["", *division(elements)]
     if level >= 5:
-        lines += ["", *quantities(result.elements)]
+        lines += ["", *quantities(elements)]
     if case.values.get("SUBS_O", 0) >= 1:
-        for number, below in enumerate(result.stresses, 1):
-            lines += ["", *extremes(below, number)]
+        for number, below in enumerate(patch.blocks, 1):
+            lines += ["", *extremes(StressField(below), number)]
     return lines
 
 
-
-def _sentences(result: BasicResult) -> Iterator[str]:
-    digit, values = result.contact.case.digits, result.contact.case.values
+def _sentences(case: Case) -> Iterator[str]:
+    digit, values = case.digits, case.values
     if digit["B"] in (2, 3):
         yield f" NORMAL PROBLEM SKIPPED, {'ELLIPTICAL' if digit['B'] == 2 else 'PARABOLICAL'} TRACTION BOUND"
     else:
@@ -60,15 +68,15 @@ def _sentences(result: BasicResult) -> Iterator[str]:
     kind = (" SHIFT TRANSIENT", " TRANSIENT ROLLING", " STEADY STATE ROLLING")[digit["T"] - 1]
     yield kind + (',  "FASTSIM APPROACH"' if digit["M"] == 3 else "")
     yield (" CREEPAGE PRESCRIBED", " X-FORCE,  Y-CREEPAGE PRESCRIBED", " TANGENTIAL FORCE PRESCRIBED")[digit["F"]]
-    if result.contact.pair.is_quasi_identical or values["MAXOUT"] == 1:
+    if pair_of(values).is_quasi_identical or values["MAXOUT"] == 1:
         yield ' JOHNSON"S METHOD IS USED FOR THE FRICTIONAL STRESS'
     else:
         yield f' PANAGIOTOPOULOS" METHOD IS USED FOR THE FRICTIONAL STRESS. MAXOUT={values["MAXOUT"]:3d}'
 
 
-def _hertz(result: BasicResult) -> Iterator[str]:
-    values, grid, ellipse = result.contact.case.values, result.contact.area.grid, result.contact.area.ellipse
-    assert ellipse is not None
+def _hertz(case: Case, patch: ComputedPatch) -> Iterator[str]:
+    values, grid = case.values, patch.grid
+    a1, b1, aa, bb = (patch.numbers[name] for name in ("A1", "B1", "AA", "BB"))
 
     def line(label: str, *numbers: float) -> str:
         return f" {label:<42}" + "".join(map(fortran_g, numbers))
@@ -84,41 +92,40 @@ def _hertz(result: BasicResult) -> Iterator[str]:
     elif option == -6:
         yield line("SEMIAXES PRESCRIBED, AA,BNEG,BPOS:", values["AA"], values["BNEG"], values["BPOS"])
     if option != -1:
-        yield line("THE CURVATURES A1,B1 ARE:", ellipse.a1, ellipse.b1)
+        yield line("THE CURVATURES A1,B1 ARE:", a1, b1)
     if option != -3:
-        yield line("BASIC SEMIAXES AA,BB, RATIO", ellipse.aa, ellipse.bb, ellipse.aa / ellipse.bb)
-    yield line("EFFECTIVE RAD.CURV RHO, SEMI-AXIS CP", ellipse.rho, ellipse.cp)
+        yield line("BASIC SEMIAXES AA,BB, RATIO", aa, bb, aa / bb)
+    yield line("EFFECTIVE RAD.CURV RHO, SEMI-AXIS CP", 2 / (a1 + b1), math.sqrt(aa * bb))
     yield line("POTENTIAL CONTACT, SCALE:", grid.x[0] - grid.dx / 2, grid.y[0] - grid.dy / 2, values["SCALE"])
     yield f" {'DISCRETISATION MX,MY, DX,DY:':<42}{grid.nx:6d}{grid.ny:6d}{fortran_g(grid.dx)}{fortran_g(grid.dy)}"
 
 
-def _materials(result: BasicResult) -> Iterator[str]:
-    values, pair = result.contact.case.values, result.contact.pair
+def _materials(case: Case) -> Iterator[str]:
+    values, pair = case.values, pair_of(case.values)
     yield " MATERIAL CONSTANTS"
     yield "     NU          G           AK          EPS"
     yield g_row(pair.nu, pair.G, pair.difference, values["EPS"])
     yield ""
     yield "    POISS(1)    POISS(2)     GG(1)       GG(2)"
     yield g_row(*(values[name] for name in ("POISS1", "POISS2", "GG1", "GG2")))
-    yield from heat_lines(result.contact.case)
+    yield from heat_lines(case)
 
 
-def _creep(result: BasicResult) -> Iterator[str]:
+def _creep(values: Mapping[str, Any]) -> Iterator[str]:
     """Returns the combined pair of the program: relaxed if the bodies have no creep time."""
-    values, velocity = result.contact.case.values, result.velocity
+    velocity = values["VELOC"]
     f1, f2, tau1, tau2 = (values[name] for name in ("FG1", "FG2", "TC1", "TC2"))
-    relaxed = [G if tau > 0 else G / (1 + f) for G, f, tau in ((values["GG1"], f1, tau1), (values["GG2"], f2, tau2))]
-    nu, G, difference = combined(values["POISS1"], values["POISS2"], *relaxed)
+    g1, g2 = (G if tau > 0 else G / (1 + f) for G, f, tau in ((values["GG1"], f1, tau1), (values["GG2"], f2, tau2)))
+    relaxed = pair_of(values, (g1, g2))
     yield " VISCOELASTIC MATERIAL CONSTANTS"
     yield "     NUV         GV          AKV"
-    yield g_row(nu, G, difference)
+    yield g_row(relaxed.nu, relaxed.G, relaxed.difference)
     yield ""
     yield "     FG(1)       FG(2)       TC(1)       TC(2)       VT(1)       VT(2)"
     yield row([*map(fortran_g, (f1, f2)), *map(general, (tau1, tau2, tau1 * velocity, tau2 * velocity))])
 
 
-def _friction(result: BasicResult) -> Iterator[str]:
-    case = result.contact.case
+def _friction(case: Case) -> Iterator[str]:
     law, sets = case.values["FRCLAW"], case.friction
     names = NAMES_OF_LAWS[law]
     labels = "".join(f"   {name:<9}" for name in LABELS_OF_LAWS[law]).rstrip()
@@ -131,17 +138,17 @@ def _friction(result: BasicResult) -> Iterator[str]:
     yield from cut_rows([[one[name] for name in names] for one in sets], case.digits["O"])
 
 
-def _motion(result: BasicResult) -> Iterator[str]:
-    contact, values, digit = result.contact, result.contact.case.values, result.contact.case.digits
+def _motion(case: Case, patch: ComputedPatch) -> Iterator[str]:
+    values, digit = case.values, case.digits
     yield " KINEMATIC CONSTANTS"
     x = "FX/FSTAT/FN " if "FX" in values else "  CKSI      "
     y = "FY/FSTAT/FN " if "FY" in values else "  CETA      "
     first = "   CHI         DQ          VELOC     " if digit["T"] >= 2 else "   DT          VELOC     "
     yield f"  {first}{x}{y}  CPHI"
     motion = (values["FX"] if "FX" in values else values["CKSI"], values["FY"] if "FY" in values else values["CETA"])
-    given = [general(value) for value in (result.velocity, *motion, values["CPHI"])]
+    given = [general(value) for value in (values["VELOC"], *motion, values["CPHI"])]
     if digit["T"] >= 2:
-        yield row([fortran_g(contact.chi), fortran_g(contact.dq), *given])
+        yield row([*map(fortran_g, rolling_step(case, patch)), *given])
     else:
         yield row([f"{fixed(1.0, 8, 3)}    ", *given])
     if (values["SPINXO"], values["SPINYO"]) != (0, 0):
@@ -149,8 +156,8 @@ def _motion(result: BasicResult) -> Iterator[str]:
         yield gs_row(values["SPINXO"], values["SPINYO"])
 
 
-def _totals(result: BasicResult) -> Iterator[str]:
-    case, numbers, unit = result.contact.case, result.numbers, result.force_unit or 1.0
+def _totals(case: Case, patch: ComputedPatch) -> Iterator[str]:
+    numbers, unit = patch.numbers, patch.mu[0] * patch.numbers["FN"] or 1.0
     kind = "POWER" if case.digits["T"] >= 2 else "WORK"
     yield f"     FN          FX          FY          MZ         ELAST.EN.   FRIC.{kind}"
     yield gs_row(*(numbers[name] for name in ("FN", "FX", "FY", "MZ", "ELAST.EN.", "FRIC")))
@@ -163,12 +170,12 @@ def _totals(result: BasicResult) -> Iterator[str]:
     label, largest = largest_temperature(numbers)
     yield f"     FN/G      {labels}APPROACH     PMAX    {label}"
     approach, pmax = general(numbers["APPROACH"], 6, 4), general(numbers["PMAX"])
-    yield row([general(numbers["FN"] / result.contact.pair.G), *shown, approach, pmax, *largest])
+    yield row([general(numbers["FN"] / pair_of(case.values).G), *shown, approach, pmax, *largest])
 
 
-def _sensitivities(result: BasicResult) -> Iterator[str]:
+def _sensitivities(case: Case) -> Iterator[str]:
     none = general(0.0, 3, 3)
-    if result.contact.case.digits["T"] == 0:
+    if case.digits["T"] == 0:
         yield from (" THE SENSITIVITIES.", " A ZERO MEANS THAT IT HAS NOT BEEN CALCULATED.", "  DFN/DPEN", none)
         return
     yield " THE SENSITIVITIES. (FX,FY) MEANS: (FX,FY)/FN/FSTAT."
@@ -178,9 +185,7 @@ def _sensitivities(result: BasicResult) -> Iterator[str]:
         yield f"   {name} " + none.rjust(12) + 3 * none
 
 
-def _statistics(result: BasicResult) -> Iterator[str]:
-    numbers, outer = result.numbers, result.solution.evidence.outer
-    counts = [int(numbers[name]) for name in ("NPOT", "NCON", "NADH", "NSLIP", "NPLAST") if name in numbers]
-    rounds = 1 if outer is None else outer.iterations
-    *words, last = statistics_lines(counts, rounds, rounds if result.contact.case.digits["T"] > 0 else 0)
+def _statistics(case: Case, patch: ComputedPatch, evidence: ContactEvidence) -> Iterator[str]:
+    rounds = 1 if evidence.outer is None else evidence.outer.iterations
+    *words, last = statistics_lines(patch.numbers, rounds, rounds if case.digits["T"] > 0 else 0)
     yield from (*words, f" {last}")

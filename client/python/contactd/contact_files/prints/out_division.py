@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 import numpy.typing as npt
 
-from ..answers.elements import Elements
+from ..case_results import Elements
 from .numbers import fixed, fortran_g
 
 __all__ = ["division", "quantities"]
@@ -39,7 +39,7 @@ def division(elements: Elements) -> Iterator[str]:
         tens = (str(number // 10 % 10) if number % 10 == 0 else " " for number in numbers)
         yield f"        {''.join(blank + ten for ten in tens)}".rstrip()
     yield "        " + "".join(f"{blank}{number % 10}" for number in numbers)
-    direction = f"        Chi={fixed(math.degrees(elements.chi), 6, 2)} degrees" if elements.tangential >= 2 else ""
+    direction = f"        Chi={fixed(math.degrees(elements.chi), 6, 2)} degrees" if elements.case.digits["T"] >= 2 else ""
     yield f"     X  -->{direction}"
 
 
@@ -55,12 +55,13 @@ def quantities(elements: Elements) -> Iterator[str]:
     """Returns a line for each element in contact, by rows."""
     yield " QUANTITIES DISTRIBUTED OVER THE CONTACT AREA:"
     yield ' "H-PEN" IS THE UNDEFORMED DISTANCE WITH THE APPROACH TAKEN INTO ACCOUNT.'
-    *sentences, labels = _heads(elements.tangential)
-    yield from (*sentences, labels if elements.temperature is None else f"{labels}     TEMP1      TEMP2")
-    for iy in range(elements.grid.ny):
+    *sentences, labels = _heads(elements.case.digits["T"])
+    heat, grid = elements.pairs_of(("TEMP1", "TEMP2")), elements.patch.grid
+    yield from (*sentences, f"{labels}     TEMP1      TEMP2" if heat else labels)
+    for iy in range(grid.ny):
         there = np.flatnonzero(elements.division[iy])
         if len(there):
-            yield from ("", f" Y = {fortran_g(float(elements.grid.y[iy]))} ROW{iy + 1:3d} OF THE POTENTIAL CONTACT", "")
+            yield from ("", f" Y = {fortran_g(float(grid.y[iy]))} ROW{iy + 1:3d} OF THE POTENTIAL CONTACT", "")
         for ix in there:
             yield _line(elements, (iy, int(ix)))
 
@@ -85,15 +86,17 @@ def _heads(tangential: int) -> Iterator[str]:
 
 
 def _line(elements: Elements, at: tuple[int, int]) -> str:
-    px, py = (float(part[at]) for part in elements.traction)
+    def values(*names: str) -> list[float]:
+        return [float(elements[name][at]) for name in names]
+
+    px, py, pressure, h = values("PX", "PY", "PN", "H")
     argument = math.degrees(math.atan2(py, px))
-    x, e = float(elements.grid.x[at[1]]), float(elements.h[at]) - elements.approach
-    pressure, size = float(elements.pressure[at]), float(elements.traction_size[at])
+    x, e = float(elements.patch.grid.x[at[1]]), h - elements.patch.numbers["APPROACH"]
+    size = float(elements.traction_size[at])
     if elements.is_frictionless:
         return f" {fortran_g(x)}{fortran_g(e)}{fortran_g(pressure)}{fortran_g(size)}{fixed(argument, 10, 1)}"
     tractions = [fortran_g(value, 11, 3) for value in (e, pressure, float(elements.bound[at]), size)]
-    slip = math.hypot(*(float(part[at]) for part in elements.slip))
-    rigid = [float(part[at]) + found for part, found in zip(elements.rigid_slip, elements.found)]
-    heat = [float(part[at]) for part in elements.temperature or ()]
-    slips = [fortran_g(value, 11, 3) for value in (slip, *rigid, *heat)]
+    rigid = [slip + found for slip, found in zip(values("WX", "WY"), elements.found)]
+    heat = [float(temperature[at]) for temperature in elements.pairs_of(("TEMP1", "TEMP2"))]
+    slips = [fortran_g(value, 11, 3) for value in (math.hypot(*values("SX", "SY")), *rigid, *heat)]
     return f" {fortran_g(x)}{''.join(tractions)}{fixed(argument, 10, 1)}  {''.join(slips)}"

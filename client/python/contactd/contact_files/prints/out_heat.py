@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from typing import TYPE_CHECKING
 
+from ..case import Case
 from .numbers import general
 from .out_text import g_row
-
-if TYPE_CHECKING:
-    from ...values.generated.contact_files import ContactCase as Case
 
 __all__ = ["heat_lines", "largest_temperature"]
 

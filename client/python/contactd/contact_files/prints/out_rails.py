@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from ..answers.rail_results import RailResult
-from ..problems.bodies import pair_of
+from ...values.generated.wheel_rail.result import WheelRailSolution
+from ..case import Case
+from ..case_results import is_right, is_roller, pair_of
+from ..solved_case import SolvedCase
 from .numbers import fixed, fortran_g, general
 from .out_heat import heat_lines
 from .out_laws import LABELS_OF_LAWS, NAMES_OF_LAWS
@@ -26,37 +28,38 @@ _FLEXIBLE = (
 _DEVIATIONS = ("DYRAIL", "DZRAIL", "DROLLR", "VYRAIL", "VZRAIL", "VROLLR")
 
 
-def rail_lines(result: RailResult) -> list[str]:
+def rail_lines(solved: SolvedCase) -> list[str]:
     """Returns the lines of a case above those of its patches, according to its digit O."""
-    case = result.contact.case
+    case = solved.case
     level, digit = case.digits["O"], case.digits
     if level == 0:
         return []
     lines = case_head(case)
     if level >= 2:
-        lines += ["", _title(result), *digits(case)[1:], *_sentences(result), *_set_up(result)]
+        lines += ["", _title(solved), *digits(case)[1:], *_sentences(solved), *_set_up(solved)]
         if digit["E"] >= 1:
-            lines += ["", *_wheelset(result), ""]
+            lines += ["", *_wheelset(case, _solution(solved)), ""]
         lines += [""]
-    lines += _forces(result)
-    if not result.patches:
+    lines += _forces(solved)
+    if not solved.answer.patches:
         lines += ["", " ----- NO CONTACT FOUND -----"]
     return lines
 
 
-def _is_roller(result: RailResult) -> bool:
-    return result.contact.case.digits["C1"] >= 4
+def _solution(solved: SolvedCase) -> WheelRailSolution:
+    assert solved.answer.wheelrail is not None
+    return solved.answer.wheelrail
 
 
-def _title(result: RailResult) -> str:
-    base = "ROLLER" if _is_roller(result) else "RAIL"
-    count = len(result.patches)
+def _title(solved: SolvedCase) -> str:
+    base = "ROLLER" if is_roller(solved.case) else "RAIL"
+    count = len(solved.answer.patches)
     patches = "PATCH" if count == 1 else "PATCHES"
-    return f" WHEEL-{base} CONTACT, {result.contact.setup.side or 'right'} WHEEL,{count:3d} CONTACT {patches}".upper()
+    return f" WHEEL-{base} CONTACT, {'RIGHT' if is_right(solved.case) else 'LEFT'} WHEEL,{count:3d} CONTACT {patches}"
 
 
-def _sentences(result: RailResult) -> Iterator[str]:
-    digit, values = result.contact.case.digits, result.contact.case.values
+def _sentences(solved: SolvedCase) -> Iterator[str]:
+    digit, values = solved.case.digits, solved.case.values
     if digit["T"] == 0 and digit["N"] == 0:
         return
     yield f" VERTICAL PROBLEM WITH PRESCRIBED {'VERTICAL FORCE' if digit['N'] == 1 else 'POSITION'}, FULL SOLUTION"
@@ -70,18 +73,18 @@ def _sentences(result: RailResult) -> Iterator[str]:
         yield f' PANAGIOTOPOULOS" METHOD IS USED FOR THE FRICTIONAL STRESS. MAXOUT={values["MAXOUT"]:3d}'
 
 
-def _set_up(result: RailResult) -> Iterator[str]:
-    case = result.contact.case
+def _set_up(solved: SolvedCase) -> Iterator[str]:
+    case = solved.case
     digit, values = case.digits, case.values
     if digit["C"] >= 2:
         yield from ("", *_materials(values), *heat_lines(case))
         if digit["M"] == 4:
             yield from ("", *interfacial_layer(values))
     if digit["L"] != 1 and digit["T"] != 0:
-        yield from ("", *_friction(result))
+        yield from ("", *_friction(case))
     if digit["D"] >= 2:
         yield from ("", *_discretisation(values))
-    base = "ROLLER" if _is_roller(result) else "RAIL"
+    base = "ROLLER" if is_roller(solved.case) else "RAIL"
     if digit["Z"] == 3:
         yield from ("", *_profile(values, base, values["RFNAME"], "RAIL", digit["O"]))
     if digit["Z"] in (1, 3):
@@ -93,7 +96,7 @@ def _set_up(result: RailResult) -> Iterator[str]:
     if digit["E"] in (3, 5):
         yield from ("", *_profile(values, "WHEEL", values["WFNAME"], "WHEEL", digit["O"]))
     if digit["F"] == 3:
-        yield from ("", *_deflection(result))
+        yield from ("", *_deflection(values, _solution(solved)))
 
 
 def _materials(values: Mapping[str, Any]) -> Iterator[str]:
@@ -105,8 +108,7 @@ def _materials(values: Mapping[str, Any]) -> Iterator[str]:
     yield row([fortran_g(values["POISS1"]), fortran_g(values["POISS2"]), general(values["GG1"]), general(values["GG2"])])
 
 
-def _friction(result: RailResult) -> Iterator[str]:
-    case = result.contact.case
+def _friction(case: Case) -> Iterator[str]:
     law = case.values["FRCLAW"]
     place = {1: "ALPHVF", 2: "SVF"}.get(case.values["VARFRC"])
     labels = [*(["ALPHA" if place == "ALPHVF" else "SVF"] if place else []), *LABELS_OF_LAWS[law]]
@@ -149,8 +151,8 @@ def _track(values: Mapping[str, Any]) -> Iterator[str]:
     yield "".join([*numbers, fixed(values.get("CANT", 0.0), 12, 4), curv])
 
 
-def _deflection(result: RailResult) -> Iterator[str]:
-    values, found = result.contact.case.values, result.solution.rail_deflection
+def _deflection(values: Mapping[str, Any], wheel: WheelRailSolution) -> Iterator[str]:
+    found = wheel.rail_deflection
     y, z = (0.0, 0.0) if found is None else (found.y, found.z)
     yield " MASSLESS RAIL DEFLECTION"
     yield "     KY_RAIL     DY_DEFL     FY_RAIL     KZ_RAIL     DZ_DEFL     FZ_RAIL"
@@ -160,18 +162,18 @@ def _deflection(result: RailResult) -> Iterator[str]:
     ])  # fmt: skip
 
 
-def _wheelset(result: RailResult) -> Iterator[str]:
-    values, roller = result.contact.case.values, _is_roller(result)
+def _wheelset(case: Case, wheel: WheelRailSolution) -> Iterator[str]:
+    values, roller = case.values, is_roller(case)
     yield " WHEEL-SET POSITION AND VELOCITY"
     yield f"     {'X' if roller else 'S'}_WS        Y_WS        Z_WS        ROLL_WS     YAW_WS      PITCH_WS"
     along = general(values["X_WS"] if roller else values["S_WS"], 4, 6)
     turned = [general(values[name]) for name in ("ROLL", "YAW", "PITCH")]
-    yield row([along, general(values["Y_WS"]), fixed(result.solution.z, 12, 4), *turned])
+    yield row([along, general(values["Y_WS"]), fixed(wheel.z, 12, 4), *turned])
     yield ""
     yield f"    {'VPITCH_ROL ' if roller else ' VX_WS     '}  VY_WS       VZ_WS       VROLL_WS    VYAW_WS     VPITCH_WS"
     forwards = fixed(values["RPITCH"], 12, 7) if roller else general(values["VS"])
     others = [general(values[name]) for name in ("VY", "VZ", "VROLL", "VYAW")]
-    yield row([forwards, *others, fixed(result.solution.pitch_rate, 12, 7)])
+    yield row([forwards, *others, fixed(wheel.pitch_rate, 12, 7)])
     for labels in _FLEXIBLE if any(values.get(name, 0) != 0 for row_of in _FLEXIBLE for name in row_of) else ():
         if labels is _FLEXIBLE[0]:
             yield from ("", " FLEXIBLE WHEEL-SET DEVIATIONS")
@@ -179,14 +181,14 @@ def _wheelset(result: RailResult) -> Iterator[str]:
         yield row([general(values.get(name, 0.0)) for name in labels])
 
 
-def _forces(result: RailResult) -> Iterator[str]:
-    case, forces = result.contact.case, result.solution.forces
+def _forces(solved: SolvedCase) -> Iterator[str]:
+    case, forces = solved.case, _solution(solved).forces
     names = ("FX(TR)", "FY(TR)", "FZ(TR)", "FX(WS)", "FY(WS)", "FZ(WS)")
     if case.digits["O"] >= 2:
         moments = " AND MOMENTS" if case.digits["O"] >= 4 else ""
-        yield f" TOTAL FORCES{moments} ON {'ROLLER' if _is_roller(result) else 'RAIL'}"
+        yield f" TOTAL FORCES{moments} ON {'ROLLER' if is_roller(solved.case) else 'RAIL'}"
     yield "     FX(TR)      FY(TR)      FZ(TR)      FX(WS)      FY(WS)      FZ(WS)"
-    yield "".join(general(result.numbers[name]) for name in names)
+    yield "".join(general(solved.answer.numbers[name]) for name in names)
     if case.digits["O"] >= 4:
         at_rail, at_wheel = forces.rail, forces.wheelset
         yield ""

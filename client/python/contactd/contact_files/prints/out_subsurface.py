@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import numpy.typing as npt
 
-from ..answers.subsurface import StressField
+from ..case_results import StressField
 from .numbers import fixed
 
 __all__ = ["extremes"]

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ..._version import __version__
+from ..case import Case
 from .numbers import fortran_g, general
 
-if TYPE_CHECKING:
-    from ...values.generated.contact_files import ContactCase as Case
-
 __all__ = ["IS_OURS", "case_head", "digits", "g_row", "gs_row", "head", "interfacial_layer", "row", "statistics_lines"]
-
-_WITH_PLASTIC = 5  #: Labels of the numbers of elements with a yielding layer.
 
 IS_OURS = "|  contactd - "  #: Text in the second line of files written by contactd.
 
@@ -80,11 +76,12 @@ def interfacial_layer(values: Mapping[str, Any]) -> Iterator[str]:
     yield g_row(*(values[name] for name in ("GG3", "LAYTHK", "TAU_C0", "K_TAU")))
 
 
-def statistics_lines(counts: list[int], normal: int, tangential: int) -> Iterator[str]:
+def statistics_lines(numbers: Mapping[str, float], normal: int, tangential: int) -> Iterator[str]:
     """Returns the numbers of elements, in the contact and its parts, and the numbers of iterations."""
     yield " CONTACT STATISTICS"
     yield " N: NUMBER OF ELEMENTS IN REGION,  I: NUMBER OF ITERATIONS,"
     yield " POT: POTENTIAL CONTACT AREA,  CON: CONTACT,  ADH: ADHESION"
-    plastic = "  NPLAST" if len(counts) == _WITH_PLASTIC else ""
+    counts = [int(numbers[name]) for name in ("NPOT", "NCON", "NADH", "NSLIP", "NPLAST") if name in numbers]
+    plastic = "  NPLAST" if "NPLAST" in numbers else ""
     yield f"    NPOT   NCON   NADH  NSLIP{plastic}{' INORM' if plastic else '  INORM'}  ITANG"
     yield "".join(f"{count:7d}" for count in (*counts, normal, tangential))

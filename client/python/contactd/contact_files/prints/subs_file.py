@@ -7,9 +7,8 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from ..._version import MARK
-from ..answers.basic_results import BasicResult
-from ..answers.rail_results import LETTERS, RailResult
-from ..answers.subsurface import COMPONENTS, StressField
+from ..case_results import COMPONENTS, LETTERS, StressField
+from ..solved_case import SolvedCase
 from .numbers import fortran_g, general
 
 __all__ = ["subs_text", "subs_texts"]
@@ -18,20 +17,16 @@ _SHORT, _LONG = 8, 14
 _ALL = 2  #: The digit A that prints all components.
 
 
-def subs_texts(result: BasicResult | RailResult) -> Iterator[tuple[str, str]]:
+def subs_texts(solved: SolvedCase) -> Iterator[tuple[str, str]]:
     """Yields a letter (empty for basic contact) and the text of each contact; nothing if the digit A of the points is
     0.
     """
-    case = result.contact.case
+    case = solved.case
     level = case.values.get("SUBS_A", 0) if case.digits["S"] >= 1 else 0
-    if level == 0:
-        return
-    if isinstance(result, BasicResult):
-        if result.stresses:
-            yield "", subs_text(result.stresses, level == _ALL)
-        return
-    for index, patch in enumerate(result.patches):
-        yield LETTERS[index % len(LETTERS)], subs_text(result.stresses_of(patch), level == _ALL)
+    for index, patch in enumerate(solved.answer.patches if level != 0 else ()):
+        letter = LETTERS[index % len(LETTERS)] if case.module == 1 else ""
+        if patch.blocks or letter:
+            yield letter, subs_text([StressField(block) for block in patch.blocks], level == _ALL)
 
 
 def subs_text(fields: Sequence[StressField], all_components: bool) -> str:
@@ -47,10 +42,10 @@ def _block(field: StressField, all_components: bool) -> Iterator[str]:
     yield f"% nx, ny, nz; {MARK}"
     yield f"{nx:6d}{ny:12d}{nz:12d}      " + fortran_g(0.0) * (columns - 3)
     names = ["X", "Y", "Z", "UX", "UY", "UZ", "SIGHYD", "SIGVM"]
-    names += [f"SIG{name.upper()}" for name in COMPONENTS] if all_components else []
+    names += [f"SIG{name}" for name in COMPONENTS] if all_components else []
     yield "%" + "".join(f"{name:>12}" for name in names)
     z, y, x = np.meshgrid(field.z, field.y, field.x, indexing="ij")
-    values = [x, y, z, *np.moveaxis(field.displacement, -1, 0), field.hydrostatic, field.von_mises]
+    values = [x, y, z, *(field.block[f"U{axis}"] for axis in "XYZ"), field.hydrostatic, field.von_mises]
     values += list(field.stress) if all_components else []
     for row in np.stack([value.ravel() for value in values], axis=1):
         yield "".join(general(float(value), 6, 5) for value in row)

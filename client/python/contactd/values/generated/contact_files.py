@@ -1,4 +1,5 @@
-"""Files of the CONTACT program: answers of `Client.read_contact_file` and `Client.read_contact_slices`.
+"""Files of the CONTACT program: answers of `Client.read_contact_file`, `Client.run_contact_file`,
+`Client.convert_contact_file` and `Client.read_contact_slices`.
 
 Written by ./dev generate from proto/schema: edit it there.
 """
@@ -7,11 +8,28 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Literal
 
+from ..arrays import Array
 from ..contact_file_methods import ContactFileMethods
+from ..solution import ContactSolution, PartialSolution
+from .grid import Grid
+from .wheel_rail.result import WheelRailSolution
 
-__all__ = ["ContactCase", "ContactFile", "ContactSlice", "ContactSlices"]
+__all__ = [
+    "CaseStatus",
+    "ComputedCase",
+    "ComputedCases",
+    "ComputedPatch",
+    "ContactCase",
+    "ContactFile",
+    "ContactSlice",
+    "ContactSlices",
+    "ConvertedCase",
+    "ConvertedCases",
+]
+
+CaseStatus = Literal["solved", "not converged", "read", "refused", "failed", "follows", "wrong"]
 
 
 @dataclass(frozen=True)
@@ -62,6 +80,130 @@ class ContactFile(ContactFileMethods[ContactCase]):
     cases: tuple[ContactCase, ...]
     warnings: tuple[str, ...]
     errors: tuple[str, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class ComputedPatch:
+    """A contact. Forces act on body 1.
+
+    Attributes:
+        grid: Its elements.
+        numbers: Numbers by CONTACT's names, those of its .out files. SPINXO and SPINYO are the centre of spin. On rails
+            YCP(R), ZCP(R), XCP(W), YCP(W) and ZCP(W) are the reference in the axes of the profiles.
+        mu: Coefficients of friction at rest: one, or one for each row of a curved contact. Those of rows that have
+            their own (V = 3) are 1.
+        friction_bound: Coefficient at rest times the normal force (N).
+        arrays: Arrays of shape [ny, nx] by CONTACT's names: IGS (0 exterior, 1 adhesion, 2 slip, 3 plastic), H, MU, PN,
+            PX, PY, UX, UY, UN, SX, SY, rigid slip WX, WY; TAUCRT, UPLSX, UPLSY of a layer that yields; TEMP1, TEMP2
+            with heat.
+        blocks: Blocks of subsurface points, z >= 0 in body 1.
+        previous: Numbers, from 1, of the patches of the last step that share rows of elements with this one. None if
+            the step does not continue another one.
+    """
+
+    grid: Grid
+    numbers: Mapping[str, float]
+    mu: tuple[float, ...]
+    friction_bound: float
+    arrays: Mapping[str, Array] | None = None
+    blocks: tuple[Mapping[str, Array], ...] = ()
+    previous: tuple[int, ...] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class ComputedCase:
+    """A case with its forces, patches and arrays. Units are CONTACT's: mm, N, rad, N/mm^2, J and W.
+
+    Attributes:
+        number: Case number as CONTACT prints it.
+        line: Line of its first control word.
+        module: 1: a wheel on its rail or roller; 3: basic contact.
+        status: The outcome. With results: solved, or not converged. Without: read (not to be computed, R = 2, 3),
+            refused (it requires something that contactd does not support, or numbers that it does not accept), failed
+            (the solve ended with an error), follows (it continues a case that was not computed), wrong (the case, or a
+            file that it names, has an error).
+        sentence: The reason if there are no results, or their limitation; empty for a solved case.
+        warnings: Warnings of the solution.
+        seconds: Time of the solve (s).
+        numbers: Numbers of the whole case by CONTACT's names: of module 3 those of its contact, of module 1 FX(TR),
+            FY(TR), FZ(TR), FX(WS), FY(WS), FZ(WS), and Z_WS and VPITCH_WS if they were searched for.
+        patches: The contacts: one of module 3; of module 1 from the field side to the gauge side.
+        reid: Result element of the case, if the file names one.
+        cpid: Contact problem of the case, if the file names a result element for module 3.
+        contact: The solution of module 3, as in contact.solve.
+        wheelrail: The solution of module 1, as in wheelrail.solve.
+    """
+
+    number: int
+    line: int
+    module: int
+    status: CaseStatus
+    sentence: str
+    warnings: tuple[str, ...]
+    seconds: float
+    numbers: Mapping[str, float]
+    patches: tuple[ComputedPatch, ...]
+    reid: int | None = None
+    cpid: int | None = None
+    contact: ContactSolution | PartialSolution | None = None
+    wheelrail: WheelRailSolution | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class ComputedCases:
+    """Outcomes of the cases of an input file of the CONTACT program.
+
+    Attributes:
+        cases: The cases that are complete, in the order of the file.
+        warnings: Sentences on the file that are about no case, after its last case.
+        errors: Errors in the text between cases, after its last case.
+        run: Name of the run, if cases are left.
+    """
+
+    cases: tuple[ComputedCase, ...]
+    warnings: tuple[str, ...]
+    errors: tuple[str, ...]
+    run: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class ConvertedCase:
+    """A case. Without parameters, the sentence contains the reason.
+
+    Attributes:
+        number: Case number as CONTACT prints it.
+        line: Line of its first control word.
+        module: 1: a wheel on its rail or roller; 3: basic contact.
+        status: read for a case that can be solved; otherwise refused, failed or wrong as in contact_file.run.
+        sentence: The reason if there are no parameters.
+        continues: Whether the case starts from the end of an earlier one, which the parameters lack.
+        reid: Result element of the case, if the file names one.
+        cpid: Contact problem of the case, if the file names a result element for module 3.
+        contact: Parameters of contact.solve, for module 3.
+        wheelrail: Parameters of wheelrail.solve, for module 1.
+    """
+
+    number: int
+    line: int
+    module: int
+    status: CaseStatus
+    sentence: str
+    continues: bool
+    reid: int | None = None
+    cpid: int | None = None
+    contact: Mapping[str, Any] | None = None
+    wheelrail: Mapping[str, Any] | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class ConvertedCases:
+    """Cases of an input file of the CONTACT program as parameters of contact.solve and wheelrail.solve.
+
+    Attributes:
+        cases: The requested cases in the order of the file.
+    """
+
+    cases: tuple[ConvertedCase, ...]
 
 
 @dataclass(frozen=True)

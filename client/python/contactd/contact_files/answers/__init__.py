@@ -1,1 +1,0 @@
-"""Converts solutions of contactd to the results of the CONTACT program."""

@@ -1,1 +1,0 @@
-"""Converts cases to problems of contactd by the conventions of the CONTACT program."""
