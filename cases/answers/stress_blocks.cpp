@@ -47,7 +47,7 @@ constexpr std::array components{&SubsurfaceStress::xx,       &SubsurfaceStress::
 
 /// Adds the layers of points in one body. The frame of the upper body is mirrored, which changes the signs of xz, yz
 /// and of displacements along z.
-void add_body(ContactBody body, const Solved& solved, SolvedBlock& block) {
+void add_body(ContactBody body, const Solved& solved, SolvedBlock& block, Observer& observer) {
     const bool upper = body == ContactBody::upper;
     std::vector<std::size_t> layers;
     StressBlock inside{block.points.x, block.points.y, {}};
@@ -60,7 +60,6 @@ void add_body(ContactBody body, const Solved& solved, SolvedBlock& block) {
     if (layers.empty()) return;
     const ContactSolution& solution = solved.solution;
     const MaterialPair bodies = solved.problem.bodies.materials();
-    Observer observer;
     const Material& material = upper ? bodies.upper : bodies.lower;
     const SurfaceTractions tractions = tractions_on(body, solution.pressure, solution.traction_x, solution.traction_y);
     const SubsurfaceStress stress = subsurface_stress(solved.problem.grid, tractions, material.nu, inside, observer);
@@ -144,7 +143,7 @@ StressBlock block_points(const GivenBlock& block, const Grid& grid) {
             coordinates(block.kind, block.y, grid.ny, [&](int i) { return grid.y(i); }), block.z};
 }
 
-SolvedBlock solve_block(const GivenBlock& block, const Solved& solved) {
+SolvedBlock solve_block(const GivenBlock& block, const Solved& solved, Observer& observer) {
     SolvedBlock result{block, block_points(block, solved.problem.grid), {}, {}};
     constexpr std::size_t most = 10'000'000;
     if (result.points.size() > most)
@@ -153,7 +152,7 @@ SolvedBlock solve_block(const GivenBlock& block, const Solved& solved) {
     for (const auto component : components) (result.stress.*component).resize(result.points.size());
     for (auto* values : {&result.displacement.x, &result.displacement.y, &result.displacement.z})
         values->resize(result.points.size());
-    for (const ContactBody body : {ContactBody::upper, ContactBody::lower}) add_body(body, solved, result);
+    for (const ContactBody body : {ContactBody::upper, ContactBody::lower}) add_body(body, solved, result, observer);
     find_invariants(result.stress);
     return result;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "answers/solved.hpp"
+#include "contactd/observer.hpp"
 #include "contactd/read_contact_file.hpp"
 #include "contactd/subsurface_stress.hpp"
 #include "given/units.hpp"
@@ -42,8 +43,9 @@ std::vector<GivenBlock> blocks_of(const ContactCase& read);
 /// Returns the points of a block (mm), with z > 0 inside the upper body. Throws NotCovered for unknown elements.
 StressBlock block_points(const GivenBlock& block, const Grid& grid);
 
-/// Computes stresses in the frame of the contact. At z = 0 they are those of the upper body. Throws NotCovered.
-SolvedBlock solve_block(const GivenBlock& block, const Solved& solved);
+/// Computes stresses in the frame of the contact. At z = 0 they are those of the upper body. Throws NotCovered,
+/// and Cancelled.
+SolvedBlock solve_block(const GivenBlock& block, const Solved& solved, Observer& observer);
 
 /// Returns one column of the result, with a value for each point and x fastest. Columns 1 to 3: x, y, z; 4 to 6:
 /// displacements; 7 to 9: mean normal stress, von Mises' and Tresca's stress; 10 to 12: principal stresses, largest

@@ -92,10 +92,11 @@ GivenBlock on_grid(GivenBlock block, const Grid& grid) {
     return block;
 }
 
-std::vector<ContactFileBlock> blocks_below(const std::vector<GivenBlock>& given, const Solved& solved) {
+std::vector<ContactFileBlock> blocks_below(const std::vector<GivenBlock>& given, const Solved& solved,
+                                           Observer& observer) {
     std::vector<ContactFileBlock> blocks;
     for (const GivenBlock& one : given) {
-        SolvedBlock block = solve_block(on_grid(one, solved.problem.grid), solved);
+        SolvedBlock block = solve_block(on_grid(one, solved.problem.grid), solved, observer);
         blocks.push_back({std::move(block.points), std::move(block.displacement), std::move(block.stress)});
     }
     return blocks;
@@ -105,6 +106,18 @@ std::vector<GivenBlock> requested_blocks(const ContactCase& read) {
     return digit(read, "S") >= 1 ? blocks_of(read) : std::vector<GivenBlock>();
 }
 
+/// Lets the run ask an observer until the end of a call.
+class WhileAsked {
+   public:
+    WhileAsked(const Observer*& now, const Observer& observer) : now_(now) { now_ = &observer; }
+    ~WhileAsked() { now_ = nullptr; }
+    WhileAsked(const WhileAsked&) = delete;
+    WhileAsked& operator=(const WhileAsked&) = delete;
+
+   private:
+    const Observer*& now_;
+};
+
 void add_warning(ContactFileOutcome& outcome, std::string sentence) {
     if (!sentence.empty()) outcome.warnings.push_back(std::move(sentence));
 }
@@ -112,10 +125,12 @@ void add_warning(ContactFileOutcome& outcome, std::string sentence) {
 }  // namespace
 
 CaseRun::CaseRun(ContactFileInput input)
-    : input_(std::move(input)), files_(std::move(input_.files)), reader_(input_.text, input_.name, &asked_) {}
+    : input_(std::move(input)), files_(input_.files), reader_(input_.text, input_.name, &asked_) {
+    for (const NamedFile& file : input_.files) file_bytes_ += file.name.size() + file.text.size();
+    input_.files.clear();
+}
 
-std::optional<ContactCase> CaseRun::read_next(const Observer& observer) {
-    asked_.now = &observer;
+std::optional<ContactCase> CaseRun::read_next() {
     std::optional<ContactCase> read;
     while (input_.cases.empty() || wanted_ < input_.cases.size()) {
         read = reader_.next();
@@ -131,7 +146,6 @@ std::optional<ContactCase> CaseRun::read_next(const Observer& observer) {
             ", which was not requested.";
         read.reset();
     }
-    asked_.now = nullptr;
     return read;
 }
 
@@ -154,7 +168,8 @@ void CaseRun::refuse_early(const ContactCase& read, const History& history, Cont
 }
 
 std::optional<ContactFileOutcome> CaseRun::next(ProblemSolver& solver, const Observer& observer) {
-    const std::optional<ContactCase> read = read_next(observer);
+    const WhileAsked asks(asked_.now, observer);
+    const std::optional<ContactCase> read = read_next();
     if (!read) return {};
     ContactFileOutcome outcome = outcome_of(*read);
     History& history = histories_[{read->module_number, read->reid, read->cpid}];
@@ -214,7 +229,7 @@ void CaseRun::solve_basic(const ContactCase& read, History& history, ProblemSolv
     outcome.warnings.insert(outcome.warnings.end(), warnings.begin(), warnings.end());
     Solved solved = solved_step(given, std::move(problem), reply.solution, last);
     ContactFilePatch contact = printed_contact(read, given, solved);
-    contact.blocks = blocks_below(blocks, solved);
+    contact.blocks = blocks_below(blocks, solved, asked_);
     outcome.numbers = contact.numbers;
     outcome.patches.push_back(std::move(contact));
     set_status(outcome, converged(required_evidence(solved)));
@@ -244,7 +259,7 @@ void CaseRun::solve_on_rails(const ContactCase& read, History& history, ProblemS
     const auto take = [&](const WheelRailPatch& found) {
         show_patch(found, setup, state, solved);
         ContactFilePatch patch = printed_patch(found, setup, state, solution, solved);
-        patch.blocks = blocks_below(blocks, solved);
+        patch.blocks = blocks_below(blocks, solved, asked_);
         const double half = found.place.grid.dy / 2, across = found.place.on_rail.across;
         const Grid& grid = found.place.grid;
         rows.push_back({across + grid.y(0) - half, across + grid.y(grid.ny - 1) + half});
@@ -273,7 +288,8 @@ void CaseRun::solve_on_rails(const ContactCase& read, History& history, ProblemS
 }
 
 std::optional<ContactFileProblem> CaseRun::convert_next(ProblemSolver& solver, const Observer& observer) {
-    const std::optional<ContactCase> read = read_next(observer);
+    const WhileAsked asks(asked_.now, observer);
+    const std::optional<ContactCase> read = read_next();
     if (!read) return {};
     ContactFileProblem converted{outcome_of(*read), goes_on(*read), {}};
     refuse_early(*read, {}, converted.outcome);
@@ -290,9 +306,9 @@ std::optional<ContactFileProblem> CaseRun::convert_next(ProblemSolver& solver, c
 
 std::size_t CaseRun::bytes() const {
     constexpr std::size_t bytes_of_element = 500;  // of the last problem, its solution and the tractions of a step
-    std::size_t sum = 3 * input_.text.size();
+    std::size_t sum = 3 * input_.text.size() + file_bytes_;
     for (const auto& [key, history] : histories_)
-        if (history.solved) sum += bytes_of_element * history.solved->problem.grid.size();
+        sum += bytes_of_element * (history.solved ? history.solved->problem.grid.size() : history.rail.elements());
     return sum;
 }
 

@@ -41,7 +41,7 @@ class CaseRun {
     const std::vector<std::string>& warnings() const { return reader_.warnings(); }
     const std::vector<std::string>& errors() const { return reader_.errors(); }
 
-    std::size_t bytes() const;  ///< memory of the text and of the ends of steps, about
+    std::size_t bytes() const;  ///< memory of the text, the files and the ends of steps, about
 
    private:
     /// The cases that may continue each other have the same module, result element and contact problem.
@@ -60,7 +60,7 @@ class CaseRun {
         bool cancelled() const override { return now != nullptr && now->cancelled(); }
     };
 
-    std::optional<ContactCase> read_next(const Observer& observer);
+    std::optional<ContactCase> read_next();
     void refuse_early(const ContactCase& read, const History& history, ContactFileOutcome& outcome) const;
     void solve(const ContactCase& read, History& history, ProblemSolver& solver, ContactFileOutcome& outcome);
     void solve_basic(const ContactCase& read, History& history, ProblemSolver& solver, ContactFileOutcome& outcome);
@@ -75,6 +75,7 @@ class CaseRun {
     ContactFileReader reader_;
     std::size_t at_ = 0, wanted_ = 0;  ///< number of cases read, and of requested ones
     std::map<Key, History> histories_;
+    std::size_t file_bytes_ = 0;
 };
 
 }  // namespace contactd::cases

@@ -28,6 +28,13 @@ RailHistory::SharedEstimates RailHistory::start_of(const Given& given, Model mod
     return std::make_shared<const WheelRailEstimates>(std::move(start));
 }
 
+std::size_t RailHistory::elements() const {
+    std::size_t count = 0;
+    if (end_)
+        for (const WheelRailEstimates::Patch& patch : end_->patches) count += patch.grid.size();
+    return count;
+}
+
 WheelRailSolution RailHistory::solve(const Given& given, Model model, const WheelRailState& state,
                                      const std::function<WheelRailSolution(WheelRailEstimates&)>& solve) {
     SharedEstimates start = start_of(given, model, state);

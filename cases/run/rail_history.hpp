@@ -1,6 +1,7 @@
 // The steps of a wheel on its rail: each one may start from the end of the case before.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 
@@ -17,6 +18,8 @@ class RailHistory {
     /// is then as before.
     WheelRailSolution solve(const Given& given, Model model, const WheelRailState& state,
                             const std::function<WheelRailSolution(WheelRailEstimates&)>& solve);
+
+    std::size_t elements() const;  ///< of the patches at the end of the last step
 
    private:
     /// Estimates contain the tractions of all patches, so they are not copied. Null: there are none.

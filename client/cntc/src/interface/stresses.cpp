@@ -32,7 +32,8 @@ void calculate_blocks(ProblemCase& problem) {
     const Solved& solved = solution_of(problem);
     problem.blocks.clear();
     std::map<int, SolvedBlock> blocks;
-    for (const auto& [number, block] : problem.settings.blocks) blocks[number] = solve_block(block, solved);
+    Observer observer;
+    for (const auto& [number, block] : problem.settings.blocks) blocks[number] = solve_block(block, solved, observer);
     problem.blocks = std::move(blocks);
 }
 
