@@ -21,6 +21,7 @@ namespace contactd::cases {
 namespace {
 
 constexpr int on_rails = 1;
+constexpr std::size_t points_of_element = 10;  // of all blocks below the contacts of a case
 
 int digit(const ContactCase& read, const char* name) {
     const auto found = read.digits.find(name);
@@ -92,11 +93,20 @@ GivenBlock on_grid(GivenBlock block, const Grid& grid) {
     return block;
 }
 
+/// Returns the blocks below a contact. `left` is the number of points that the case may still have. Throws NotCovered.
 std::vector<ContactFileBlock> blocks_below(const std::vector<GivenBlock>& given, const Solved& solved,
-                                           Observer& observer) {
+                                           std::size_t& left, Observer& observer) {
     std::vector<ContactFileBlock> blocks;
     for (const GivenBlock& one : given) {
-        SolvedBlock block = solve_block(on_grid(one, solved.problem.grid), solved, observer);
+        const GivenBlock on_it = on_grid(one, solved.problem.grid);
+        const std::size_t points = block_points(on_it, solved.problem.grid).size();
+        if (points > left)
+            throw NotCovered(Subject::input, "A block of subsurface points has " + std::to_string(points) +
+                                                 " points; of those that max_elements permits for the blocks of a "
+                                                 "case, 10 for each element, " +
+                                                 std::to_string(left) + " are left.");
+        left -= points;
+        SolvedBlock block = solve_block(on_it, solved, observer);
         blocks.push_back({std::move(block.points), std::move(block.displacement), std::move(block.stress)});
     }
     return blocks;
@@ -213,6 +223,8 @@ WheelRailProblem CaseRun::rail_problem(const ContactCase& read, Given& given) co
     set_rail_case(given, rail, read, files_);
     WheelRailProblem problem{setup_of(given, rail), state_of(given, rail)};
     problem.setup.wheel_surface = input_.wheel_surface;
+    int& most = problem.setup.patches.max_elements;
+    most = static_cast<int>(std::min(static_cast<std::size_t>(most), input_.max_elements));
     return problem;
 }
 
@@ -229,7 +241,8 @@ void CaseRun::solve_basic(const ContactCase& read, History& history, ProblemSolv
     outcome.warnings.insert(outcome.warnings.end(), warnings.begin(), warnings.end());
     Solved solved = solved_step(given, std::move(problem), reply.solution, last);
     ContactFilePatch contact = printed_contact(read, given, solved);
-    contact.blocks = blocks_below(blocks, solved, asked_);
+    std::size_t left = points_of_element * input_.max_elements;
+    contact.blocks = blocks_below(blocks, solved, left, asked_);
     outcome.numbers = contact.numbers;
     outcome.patches.push_back(std::move(contact));
     set_status(outcome, converged(required_evidence(solved)));
@@ -256,10 +269,11 @@ void CaseRun::solve_on_rails(const ContactCase& read, History& history, ProblemS
     const std::vector<Extent> before = digit(read, "P") == again ? history.rows_before : history.rows;
     std::vector<Extent> rows;
     Solved solved;
+    std::size_t left = points_of_element * input_.max_elements;
     const auto take = [&](const WheelRailPatch& found) {
         show_patch(found, setup, state, solved);
         ContactFilePatch patch = printed_patch(found, setup, state, solution, solved);
-        patch.blocks = blocks_below(blocks, solved, asked_);
+        patch.blocks = blocks_below(blocks, solved, left, asked_);
         const double half = found.place.grid.dy / 2, across = found.place.on_rail.across;
         const Grid& grid = found.place.grid;
         rows.push_back({across + grid.y(0) - half, across + grid.y(grid.ny - 1) + half});

@@ -32,6 +32,9 @@ class CaseRun {
     /// Throws InvalidArgument as ContactFileReader does.
     explicit CaseRun(ContactFileInput input);
 
+    /// Sets ContactFileInput::max_elements for the cases that follow.
+    void limit(std::size_t max_elements) { input_.max_elements = max_elements; }
+
     /// Reads and solves the next requested case; none at the end. Errors of a case are its outcome. Throws Cancelled.
     std::optional<ContactFileOutcome> next(ProblemSolver& solver, const Observer& observer);
     /// Reads the next requested case without solving it, except for a normal force on which it depends.

@@ -31,7 +31,9 @@ struct ContactFileInput {
     std::vector<NamedFile> files{};
     std::vector<std::size_t> cases{};  ///< indices of the requested cases, from 0, in ascending order; empty: all
     WheelSurfaceKind wheel_surface = WheelSurfaceKind::exact;
-    std::size_t max_elements = 40'000;  ///< of a case of module 3; larger cases are refused
+    /// Largest number of elements of a case of module 3, which is refused beyond it, and of a patch of module 1 in
+    /// steady rolling, which has larger elements beyond it. The blocks of a case have at most ten times as many points.
+    std::size_t max_elements = 40'000;
 };
 
 /// The outcome of a case. read: not to be computed (R = 2, 3), or valid if nothing is to be solved. refused: it

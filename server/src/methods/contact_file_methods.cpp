@@ -32,13 +32,15 @@ WorkCost cost_of_contact_file(const json& params, const Config&) {
 
 /// Returns the cost of reading, and of one case of the largest size, for which other cases wait.
 WorkCost cost_of_cases(const json& params, const Config& config) {
-    constexpr double bytes_of_element = 4000, seconds_of_element = 4e-5, copies_of_files = 3;
+    // Of an element of a contact, and of the ten points that it may have in subsurface blocks.
+    constexpr double bytes_of_element = 4000 + 10 * 400, seconds_of_element = 4e-5;
+    constexpr double copies_of_files = 3;
     WorkCost cost = cost_of_text(params);
     if (const json* files = member(params, "files"))
         for (const json& file : *files)
             if (const json* text = member(file, "text"))
                 cost.bytes += copies_of_files * static_cast<double>(text->get_ref<const std::string&>().size());
-    const double elements = std::min(params.value("max_elements", 40'000.0), double(config.max_grid_elements));
+    const auto elements = static_cast<double>(max_elements_of(params, config));
     cost.bytes += bytes_of_element * elements;
     cost.seconds += std::max(params.value("seconds", 10.0), seconds_of_element * elements);
     return cost;

@@ -37,13 +37,11 @@ class EngineSolver : public cases::ProblemSolver {
     Observer& observer_;
 };
 
-std::unique_ptr<cases::CaseRun> new_run(const json& params, const Config& config) {
-    ContactFileInput input = proto::decode_contact_file_input(params);
-    input.max_elements = std::min(input.max_elements, config.max_grid_elements);
-    return std::make_unique<cases::CaseRun>(std::move(input));
+std::unique_ptr<cases::CaseRun> new_run(const json& params) {
+    return std::make_unique<cases::CaseRun>(proto::decode_contact_file_input(params));
 }
 
-/// A run continues with the input of its first call.
+/// A run continues with the input of its first call, except for max_elements, by which the cost of each call is known.
 std::unique_ptr<cases::CaseRun> continued_run(const json& params, FileRuns& runs) {
     for (const char* name : {"name", "files", "cases", "wheel_surface"})
         if (params.contains(name))
@@ -65,12 +63,16 @@ std::size_t numbers_of_outcome(const ContactFileOutcome& outcome) {
 
 }  // namespace
 
+std::size_t max_elements_of(const json& params, const Config& config) {
+    return std::min(params.value("max_elements", ContactFileInput{}.max_elements), config.max_grid_elements);
+}
+
 void run_contact_file(const CallPtr& call, const DaemonParts& parts) {
     const json& params = call->request.params;
     proto::check_frames_used(params, call->request.frames);
     const bool continues = params.contains("run");
-    std::unique_ptr<cases::CaseRun> run =
-        continues ? continued_run(params, parts.file_runs) : new_run(params, parts.config);
+    std::unique_ptr<cases::CaseRun> run = continues ? continued_run(params, parts.file_runs) : new_run(params);
+    run->limit(max_elements_of(params, parts.config));
     const SolutionFields fields = proto::decode_fields(params, all_solution_fields);
     const bool with_arrays = params.value("arrays", true);
     const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(params.value("seconds", 10.0));
@@ -100,7 +102,8 @@ void run_contact_file(const CallPtr& call, const DaemonParts& parts) {
 void convert_contact_file(const CallPtr& call, const DaemonParts& parts) {
     const json& params = call->request.params;
     proto::check_frames_used(params, call->request.frames);
-    const std::unique_ptr<cases::CaseRun> run = new_run(params, parts.config);
+    const std::unique_ptr<cases::CaseRun> run = new_run(params);
+    run->limit(max_elements_of(params, parts.config));
     WorkOnCall work(call, parts.jobs);
     EngineSolver solver(parts, work.observer());
     proto::ArrayWriter arrays(call->request.arrays);

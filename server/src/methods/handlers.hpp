@@ -1,6 +1,9 @@
 // The handlers of methods with a separate source file, which has the method's name.
 #pragma once
 
+#include <cstddef>
+#include <nlohmann/json.hpp>
+
 #include "daemon_parts.hpp"
 
 namespace contactd::server {
@@ -25,6 +28,8 @@ void export_table(const CallPtr& call, const DaemonParts& parts);
 /// table, or not the claimed one.
 void import_table(const CallPtr& call, const DaemonParts& parts);
 
+/// Returns the largest number of elements of a case of contact_file.run and contact_file.convert.
+std::size_t max_elements_of(const nlohmann::json& params, const Config& config);
 /// Handles contact_file.run: solves cases until the time of the call is over, and keeps the run if cases are left.
 void run_contact_file(const CallPtr& call, const DaemonParts& parts);
 /// Handles contact_file.convert.

@@ -131,6 +131,21 @@ TEST_CASE("large cases are refused before memory is allocated", "[contact_files]
     CHECK_THAT(outcomes[0].sentence, ContainsSubstring("1600000000 elements; at most 40000"));
 }
 
+TEST_CASE("the points of a case are bounded by its elements", "[contact_files]") {
+    const auto layers = [](int count) {
+        ContactFileInput input;
+        input.text = module_3 + ball("201101", "0.001", Rest::none) + "2 1 A, O\n1 ISUBS\n" + std::to_string(count) +
+                     " 0.1 0.1\n0\n" + end;
+        input.max_elements = 900;
+        return run(std::move(input));
+    };
+    const auto possible = layers(10), refused = layers(11);
+    CHECK(possible.at(0).status == ContactFileStatus::solved);
+    CHECK(possible[0].patches.at(0).blocks.at(0).points.size() == 9000);
+    CHECK(refused.at(0).status == ContactFileStatus::refused);
+    CHECK_THAT(refused[0].sentence, ContainsSubstring("9900 points") && ContainsSubstring("max_elements"));
+}
+
 TEST_CASE("a case names the file that it lacks", "[contact_files]") {
     ContactFileInput input;
     input.text = RailCase{}.text() + end;
@@ -183,6 +198,17 @@ TEST_CASE("a wheel on its rail has its force, and the left one is its mirror ima
         CHECK_THAT(other.at(name), WithinAbs(one.at(name), 1e-6 * (1 + std::abs(one.at(name)))));
     for (const char* name : {"YCP(TR)", "DELTCP(TR)", "FS", "YCP(R)", "YCP(W)", "CPHI"})
         CHECK_THAT(other.at(name), WithinAbs(-one.at(name), 1e-6 * (1 + std::abs(one.at(name)))));
+}
+
+TEST_CASE("a patch on rails has larger elements than a run accepts, and says so", "[contact_files]") {
+    ContactFileInput input = wheel_on_rail("1", 0);
+    input.max_elements = 100;
+    const auto outcomes = run(std::move(input));
+    REQUIRE(outcomes.at(0).patches.size() == 1);
+    CHECK(outcomes[0].patches[0].grid.size() <= 100);
+    bool warned = false;
+    for (const std::string& warning : outcomes[0].warnings) warned = warned || warning.find("100") != std::string::npos;
+    CHECK(warned);
 }
 
 TEST_CASE("a wheel under a force that touches nothing has no solution", "[contact_files]") {

@@ -7,6 +7,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from math import prod
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +29,8 @@ __all__ = ["Runner", "chains_of", "goes_on", "requests_of", "run"]
 
 _ANEW = 2  #: P
 _SHIFT, _TRANSIENT = 1, 2  #: T
-_USUAL_ELEMENTS = 40_000
+_USUAL_ELEMENTS, _USUAL_PATCH = 40_000, 10_000
+_POINTS_OF_ELEMENT = 10  #: The service accepts so many points of subsurface blocks for each element.
 _MOST_REQUESTS, _MOST_BYTES = 256, 1 << 28  #: Of requests, each of which has the text.
 _CONVERTED = 100  #: Number of cases in one answer with parameters.
 
@@ -146,8 +148,17 @@ class Runner:
 
     def _elements_of(self, cases: Iterable[Case]) -> int:
         """Returns the number of elements that the service must accept."""
-        counts = [case.values.get("MX", 0) * case.values.get("MY", 0) for case in cases]
-        return int(min(self._most_elements, max([_USUAL_ELEMENTS, *counts])))
+        return int(min(self._most_elements, max([_USUAL_ELEMENTS, *map(_elements_of_case, cases)])))
+
+
+def _elements_of_case(case: Case) -> int:
+    """Returns a number of elements that permits the contact of a case and its subsurface blocks."""
+    elements: int = case.values.get("MX", 0) * case.values.get("MY", 0) or case.values.get("NPOT_MAX", 0)
+    points = 0
+    for block in case.subsurface if case.digits.get("S", 0) >= 1 else ():
+        axes = [len(block[axis]) for axis in ("X", "Y", "IX", "IY") if axis in block]
+        points += (prod(axes) if axes else min(elements, _USUAL_PATCH)) * len(block["Z"])
+    return max(elements, -(-points // _POINTS_OF_ELEMENT))
 
 
 def _without_results(case: Case, status: CaseStatus, sentence: str) -> SolvedCase:
