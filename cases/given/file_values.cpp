@@ -21,6 +21,7 @@
 #include "given/given_friction.hpp"
 #include "given/given_profile.hpp"
 #include "given/not_covered.hpp"
+#include "types/number_text.hpp"
 
 namespace contactd::cases {
 namespace {
@@ -213,9 +214,10 @@ bool rolls_along_x(const Values& of) {
     return is_simplified || (of.digit("T") == 3 && of.integer("GAUSEI") != 2);
 }
 
+constexpr double near_direction = 0.01;  ///< (rad)
+
 bool goes_back(double chi) {
-    constexpr double near = 0.01;
-    return std::abs(std::abs(std::remainder(chi, 2 * std::numbers::pi)) - std::numbers::pi) < near;
+    return std::abs(std::abs(std::remainder(chi, 2 * std::numbers::pi)) - std::numbers::pi) < near_direction;
 }
 
 void set_motion(Given& given, const Values& of) {
@@ -326,6 +328,17 @@ void set_basic_case(Given& given, const ContactCase& read, const NamedFiles& fil
     set_area(given, of);
     set_motion(given, of);
     (of.digit("N") == 0 ? given.pen : given.fn) = of.real(of.digit("N") == 0 ? "PEN" : "FN");
+}
+
+std::string warning_of_direction(const ContactCase& read) {
+    constexpr int transient = 2;
+    const Values of{read};
+    if (of.digit("T") < transient || !rolls_along_x(of)) return {};
+    const double chi = of.real("CHI");
+    if (goes_back(chi) || std::abs(std::remainder(chi, 2 * std::numbers::pi)) < near_direction) return {};
+    return "CHI = " + number_text(chi) +
+           " rad has no effect, and the bodies roll along x: steady rolling across x requires G = 2, and simplified "
+           "models have no other direction.";
 }
 
 void set_rail_case(Given& given, GivenRail& rail, const ContactCase& read, const NamedFiles& files) {

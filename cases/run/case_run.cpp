@@ -235,6 +235,7 @@ void CaseRun::solve_basic(const ContactCase& read, History& history, ProblemSolv
     ContactProblem problem = basic_problem(read, given, last, solver);
     problem.displacements = problem.model == Model::full;
     add_warning(outcome, given.digits.tangential == 0 ? "" : warning_of_memory(given));
+    add_warning(outcome, warning_of_direction(read));
     const std::vector<GivenBlock> blocks = requested_blocks(read);
     SolveReply reply = solver.solve(problem);
     const auto& warnings = reply.solution.warnings;

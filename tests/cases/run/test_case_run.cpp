@@ -1,6 +1,7 @@
 // Cases in their order: histories, refusals, files, and quantities by CONTACT's names.
 #include "run/case_run.hpp"
 
+#include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -118,6 +119,23 @@ TEST_CASE("only requested cases are computed, and none that continues another on
     CHECK(outcomes[0].status == ContactFileStatus::follows);
     CHECK_THAT(outcomes[0].sentence, ContainsSubstring("not requested"));
     CHECK(outcomes[1].status == ContactFileStatus::solved);
+}
+
+TEST_CASE("a rolling direction across x is warned of where it has no effect", "[contact_files]") {
+    const auto rolled = [](const std::string& digits, const std::string& chi) {
+        BasicCase text;
+        text.digits = "203100\n" + digits + "\n000001\n";
+        text.rolling = chi + " 1. 10000.\n";
+        if (digits[3] == '3') text.more = "1e-5 1e-5 1e-5\n";
+        const auto outcomes = run(text.text() + end);
+        const auto& warnings = outcomes.at(0).warnings;
+        return std::ranges::count_if(warnings,
+                                     [](const std::string& one) { return one.find("CHI = ") != std::string::npos; });
+    };
+    CHECK(rolled("022020", "0.") == 0);
+    CHECK(rolled("022020", "90d") == 1);
+    CHECK(rolled("022020", "180d") == 0);
+    CHECK(rolled("022320", "90d") == 1);
 }
 
 TEST_CASE("large cases are refused before memory is allocated", "[contact_files]") {
