@@ -149,6 +149,7 @@ CONTACTD_API const char* contactd_last_reason(const void* handle);
  * @param handle A contact or a wheel.
  * @param path Path of an input.
  * @param value The value, in the unit of the field.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path is unknown, the value is out of bounds, or the field belongs to the
  *     other kind of motion. The message names the path, the value and the bounds, or the valid names. The input keeps
  *     its value.
@@ -161,6 +162,7 @@ CONTACTD_API int32_t contactd_set(void* handle, const char* path, double value);
  * @param handle A contact or a wheel.
  * @param path Path of an input with keywords, or with a text.
  * @param keyword The keyword.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path or the keyword is invalid.
  * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
  */
@@ -176,6 +178,7 @@ CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const cha
  * @param path Path of an input.
  * @param values The numbers, in the units of the fields. They are copied.
  * @param count Number of values, at least 1.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path, a value or the count is invalid.
  * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
  */
@@ -187,6 +190,7 @@ CONTACTD_API int32_t contactd_set_array(void* handle, const char* path, const do
  * Without "friction" there is no friction, without "state.Fz" z is prescribed.
  * @param handle A contact or a wheel.
  * @param path Path of an input.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path is unknown, or the field is required.
  * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
  */
@@ -198,6 +202,7 @@ CONTACTD_API int32_t contactd_clear(void* handle, const char* path);
  * @param path Path of a result.
  * @param[out] value The number, in the unit of the field.
  * @pre A step or solve has succeeded; "step" and "ics" of a contact are available after contactd_start.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path is unknown.
  * @retval CONTACTD_NOT_FOUND The solution does not have this result.
  * @retval CONTACTD_FAILED_PRECONDITION There are no results yet.
@@ -211,6 +216,7 @@ CONTACTD_API int32_t contactd_get(void* handle, const char* path, double* value)
  * @param[out] text The text. A longer one is truncated.
  * @param length Size of `text` in bytes, including the terminating zero, at least 1.
  * @pre As for contactd_get.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path or the length is invalid.
  * @retval CONTACTD_NOT_FOUND The solution does not have this result.
  * @retval CONTACTD_FAILED_PRECONDITION There are no results yet.
@@ -228,6 +234,7 @@ CONTACTD_API int32_t contactd_get_word(void* handle, const char* path, char* tex
  * @param[out] values The numbers, in the units of the fields.
  * @param count Number of values; must equal that of contactd_length.
  * @pre As for contactd_get.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path is unknown, or the count differs. The message contains the right count.
  * @retval CONTACTD_NOT_FOUND The solution does not have this result.
  * @retval CONTACTD_FAILED_PRECONDITION There are no results yet, or the array was not requested.
@@ -240,6 +247,7 @@ CONTACTD_API int32_t contactd_get_array(void* handle, const char* path, double* 
  * @param path Path of a result.
  * @param[out] count Number of values.
  * @pre As for contactd_get.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path is unknown.
  * @retval CONTACTD_NOT_FOUND The solution does not have this result.
  * @retval CONTACTD_FAILED_PRECONDITION There are no results yet, or the array was not requested.
@@ -257,6 +265,7 @@ CONTACTD_API int32_t contactd_length(void* handle, const char* path, int32_t* co
  * @param handle A contact or a wheel.
  * @param array Name of an array.
  * @param requested 1: return the array; 0, the default: omit it.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The name or the flag is invalid. The message lists the names.
  */
 CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t requested);
@@ -266,6 +275,7 @@ CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t requ
  * @param handle A contact or a wheel.
  * @param path Path of an input or a result.
  * @param[out] id The number, for this handle only. It is valid as long as the handle.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path is unknown.
  */
 CONTACTD_API int32_t contactd_path(void* handle, const char* path, int32_t* id);
@@ -275,6 +285,7 @@ CONTACTD_API int32_t contactd_path(void* handle, const char* path, int32_t* id);
  * @param handle The contact or wheel of the number.
  * @param id A number from contactd_path.
  * @param value The value, in the unit of the field.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The number of the path is invalid; otherwise as for contactd_set.
  * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
  */
@@ -286,6 +297,7 @@ CONTACTD_API int32_t contactd_set_at(void* handle, int32_t id, double value);
  * @param id A number from contactd_path.
  * @param[out] value The number, in the unit of the field.
  * @pre As for contactd_get.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The number of the path is invalid.
  * @retval CONTACTD_NOT_FOUND The solution does not have this result.
  * @retval CONTACTD_FAILED_PRECONDITION There are no results yet.
@@ -300,6 +312,7 @@ CONTACTD_API int32_t contactd_get_at(void* handle, int32_t id, double* value);
  * @param where Address of a daemon, "ipc:///path" or "tcp://host:port", or "local" to solve in process
  *     (libcontactd-local only).
  * @param[out] connection The connection; NULL on failure.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The address is invalid.
  * @retval CONTACTD_UNIMPLEMENTED This library does not solve in process, or does not connect to daemons.
  */
@@ -317,6 +330,7 @@ CONTACTD_API int32_t contactd_close(contactd_connection* connection);
 /**
  * @brief Checks whether contacts can be solved now.
  * @param connection The connection.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_UNAVAILABLE No daemon listens at the address, or it is stopping.
  * @retval CONTACTD_DEADLINE_EXCEEDED The daemon does not answer within the timeout.
  */
@@ -326,6 +340,7 @@ CONTACTD_API int32_t contactd_ping(contactd_connection* connection);
  * @brief Sets the timeout of calls. The default is 60 s.
  * @param connection The connection.
  * @param seconds The timeout (s), > 0 and at most 1e6.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The time is out of bounds.
  */
 CONTACTD_API int32_t contactd_set_timeout(contactd_connection* connection, double seconds);
@@ -334,6 +349,7 @@ CONTACTD_API int32_t contactd_set_timeout(contactd_connection* connection, doubl
  * @brief Sets the timeout of contactd_start, and of wheels that may wait for finite elements. The default is 3600 s.
  * @param connection The connection.
  * @param seconds The timeout (s), > 0 and at most 1e6.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The time is out of bounds.
  */
 CONTACTD_API int32_t contactd_set_build_timeout(contactd_connection* connection, double seconds);
@@ -342,6 +358,7 @@ CONTACTD_API int32_t contactd_set_build_timeout(contactd_connection* connection,
  * @brief Sets the timeout of a connection to a daemon. The default is 5 s.
  * @param connection The connection.
  * @param seconds The timeout (s), > 0 and at most 1e6.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The time is out of bounds.
  */
 CONTACTD_API int32_t contactd_set_connect_timeout(contactd_connection* connection, double seconds);
@@ -399,6 +416,7 @@ CONTACTD_API int32_t contactd_new(contactd_connection* connection, contactd_cont
  * @brief Frees the contact.
  * @param contact The contact. It is invalid after this call, whether or not the call succeeds, unless another thread
  *     uses it.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_FAILED_PRECONDITION Another thread uses the contact, which stays valid.
  * @retval CONTACTD_UNAVAILABLE The daemon did not answer. Its session ends with its lease.
  */
@@ -407,6 +425,7 @@ CONTACTD_API int32_t contactd_free(contactd_contact* contact);
 /**
  * @brief Starts the contact with the current inputs, and waits for its coefficients.
  * @param contact The contact.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT An input is invalid or missing.
  * @retval CONTACTD_FAILED_PRECONDITION The contact was started before.
  * @retval CONTACTD_DEADLINE_EXCEEDED The coefficients are not available within the build timeout. A daemon continues
@@ -422,6 +441,7 @@ CONTACTD_API int32_t contactd_start(contactd_contact* contact);
  * A failed step leaves the contact unchanged.
  * @param contact The contact.
  * @pre contactd_start has succeeded; otherwise the call returns CONTACTD_FAILED_PRECONDITION.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT An input is invalid or missing.
  * @retval CONTACTD_ABORTED A solver missed its tolerance, and "accept_unconverged" is not set.
  * @retval CONTACTD_NOT_FOUND The daemon has ended the session, whose lease may have expired.
@@ -444,6 +464,7 @@ CONTACTD_API int32_t contactd_cancel(contactd_contact* contact);
  * @brief Sets the timeout of steps, which replaces that of the connection.
  * @param contact The contact.
  * @param seconds The timeout (s), > 0 and at most 1e6.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The time is out of bounds.
  */
 CONTACTD_API int32_t contactd_set_step_timeout(contactd_contact* contact, double seconds);
@@ -458,6 +479,7 @@ CONTACTD_API int32_t contactd_set_step_timeout(contactd_contact* contact, double
  * @param dy Element size of the table along y (mm).
  * @param values values[3][3][ny][nx] (mm^3/N): displacement axis, load axis, offsets along y and x. They are copied.
  * @param count Number of values, 9*nx*ny.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path, a size or the count is invalid.
  * @retval CONTACTD_FAILED_PRECONDITION The contact was started before.
  */
@@ -473,6 +495,7 @@ CONTACTD_API int32_t contactd_set_table(contactd_contact* contact, const char* p
  * @param[out] angle angle[length] of their outward normals from +z towards +y (rad).
  * @param length Number of columns, equal to ny of the grid.
  * @pre The grid and the section of the body are set.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT An argument is invalid, the body has no section, or the section is invalid.
  */
 CONTACTD_API int32_t contactd_get_frames(contactd_contact* contact, const char* body, double* y, double* z,
@@ -491,6 +514,7 @@ CONTACTD_API int32_t contactd_get_frames(contactd_contact* contact, const char* 
  *     "ics.section.profile_section.profile" for a contact.
  * @param file Name of the file.
  * @pre The kind of the profile of a contact is set.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path does not name a profile, or the file cannot be read or is not a profile.
  * @retval CONTACTD_FAILED_PRECONDITION The contact was started before.
  */
@@ -514,6 +538,7 @@ CONTACTD_API int32_t contactd_step_again(void* handle);
  * @param handle A contact or a wheel.
  * @param[out] state Number of the state, > 0.
  * @pre The contact was started; otherwise the call returns CONTACTD_FAILED_PRECONDITION.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_NOT_FOUND The daemon has ended the session.
  * @retval CONTACTD_RESOURCE_EXHAUSTED The daemon's limit of saved states is reached.
  */
@@ -523,6 +548,7 @@ CONTACTD_API int32_t contactd_save(void* handle, int32_t* state);
  * @brief Returns to a saved state, any number of times.
  * @param handle The contact or wheel of the state.
  * @param state A number from contactd_save.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_NOT_FOUND There is no such state, or the daemon has ended the session.
  */
 CONTACTD_API int32_t contactd_restore(void* handle, int32_t state);
@@ -531,6 +557,7 @@ CONTACTD_API int32_t contactd_restore(void* handle, int32_t state);
  * @brief Frees a saved state.
  * @param handle The contact or wheel of the state.
  * @param state A number from contactd_save.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_NOT_FOUND There is no such state, or the daemon has ended the session.
  */
 CONTACTD_API int32_t contactd_forget(void* handle, int32_t state);
@@ -576,6 +603,7 @@ CONTACTD_API int32_t contactd_wheel_new(contactd_connection* connection, contact
 /**
  * @brief Frees the wheel.
  * @param wheel The wheel. It is invalid after this call, unless another thread uses it.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_FAILED_PRECONDITION Another thread uses the wheel, which stays valid.
  */
 CONTACTD_API int32_t contactd_wheel_free(contactd_wheel* wheel);
@@ -586,6 +614,7 @@ CONTACTD_API int32_t contactd_wheel_free(contactd_wheel* wheel);
  * Without contact the call succeeds and there are no patches. It also succeeds if a solver missed its tolerance; the
  * result "converged" reports this. A failed solve leaves the wheel and its results unchanged.
  * @param wheel The wheel.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT An input is invalid or missing, or the set-up differs from that before a
  *     transient step.
  * @retval CONTACTD_DEADLINE_EXCEEDED The timeout has passed.
@@ -620,6 +649,7 @@ CONTACTD_API int32_t contactd_wheel_solve_many(contactd_wheel* const* wheels, in
  * tolerances. Timeout and failures are those of the right wheel; cancelling either wheel cancels both.
  * @param right The right wheel.
  * @param left The left wheel.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT An input is invalid or missing, or differs between the wheels where it must not.
  * @retval CONTACTD_DEADLINE_EXCEEDED The timeout has passed.
  * @retval CONTACTD_CANCELLED contactd_wheel_cancel was called.
@@ -640,6 +670,7 @@ CONTACTD_API int32_t contactd_wheel_cancel(contactd_wheel* wheel);
  * @brief Sets the timeout of solves, which replaces that of the connection.
  * @param wheel The wheel.
  * @param seconds The timeout (s), > 0 and at most 1e6.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The time is out of bounds.
  */
 CONTACTD_API int32_t contactd_wheel_set_timeout(contactd_wheel* wheel, double seconds);
