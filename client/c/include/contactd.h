@@ -72,9 +72,43 @@ enum {
 enum { CONTACTD_EXTERIOR = 0, CONTACTD_ADHESION = 1, CONTACTD_SLIP = 2, CONTACTD_FLOW = 3 }; /* state of an element */
 enum { CONTACTD_LOG_DEBUG = 0, CONTACTD_LOG_INFO = 1, CONTACTD_LOG_WARNING = 2, CONTACTD_LOG_ERROR = 3 };
 
+/* --- handles and callbacks --------------------------------------------------------------------------------------- */
+/* The compiler refuses a handle of the wrong kind. contactd_handle and contactd_any_handle accept several kinds, and
+ * `void *`, which the call checks. In C, only GCC, Clang and compatible compilers refuse other pointers for these two;
+ * C++ requires C++11. Define CONTACTD_UNTYPED_HANDLES before the header to declare both as `void *`, as a program that
+ * takes the address of a function may require. The libraries are the same. */
+
 typedef struct contactd_connection contactd_connection; /* a daemon, or this process */
 typedef struct contactd_contact contactd_contact;       /* one contact, step by step */
 typedef struct contactd_wheel contactd_wheel;           /* one wheel on its rail */
+
+/* A pedantic compiler accepts the conversion to these unions only for functions of system headers. */
+#if defined(__GNUC__) && !defined(__cplusplus) && !defined(CONTACTD_UNTYPED_HANDLES)
+#define CONTACTD_HANDLE_UNIONS
+#pragma GCC system_header
+#endif
+
+/* A contact or a wheel. */
+#ifdef CONTACTD_HANDLE_UNIONS
+typedef union {
+    contactd_contact* contact;
+    contactd_wheel* wheel;
+} contactd_handle __attribute__((__transparent_union__));
+#else
+typedef void* contactd_handle;
+#endif
+
+/* A connection, a contact or a wheel. */
+#ifdef CONTACTD_HANDLE_UNIONS
+typedef union {
+    const contactd_connection* connection;
+    const contactd_contact* contact;
+    const contactd_wheel* wheel;
+} contactd_any_handle __attribute__((__transparent_union__));
+#else
+typedef const void* contactd_any_handle;
+#endif
+
 /* Called from the thread that made the reported call. The callback must return; `text` is valid until then. */
 typedef void (*contactd_log)(void* user, int32_t level, const char* text);
 
@@ -113,28 +147,28 @@ CONTACTD_API const char* contactd_code_name(int32_t code);
  * @param handle A connection, a contact or a wheel. With NULL or an invalid handle, the last failure in this thread.
  * @return The code; CONTACTD_OK without a failure.
  */
-CONTACTD_API int32_t contactd_last_code(const void* handle);
+CONTACTD_API int32_t contactd_last_code(contactd_any_handle handle);
 
 /**
  * @brief Returns the message of the last failed call with a handle.
  * @param handle As for contactd_last_code.
  * @return One or more sentences; "" without a failure. Valid until this thread calls this function again.
  */
-CONTACTD_API const char* contactd_last_error(const void* handle);
+CONTACTD_API const char* contactd_last_error(contactd_any_handle handle);
 
 /**
  * @brief Returns the field or argument named by the last failed call with a handle.
  * @param handle As for contactd_last_code.
  * @return A path such as "gap.paraboloid.Rx", or "". Valid until this thread calls this function again.
  */
-CONTACTD_API const char* contactd_last_field(const void* handle);
+CONTACTD_API const char* contactd_last_field(contactd_any_handle handle);
 
 /**
  * @brief Returns the reason of the last failed call with a handle, as a keyword for programs.
  * @param handle As for contactd_last_code.
  * @return A keyword such as "FIELD_INVALID", or "". Valid until this thread calls this function again.
  */
-CONTACTD_API const char* contactd_last_reason(const void* handle);
+CONTACTD_API const char* contactd_last_reason(contactd_any_handle handle);
 
 /* --- fields by their paths --------------------------------------------------------------------------------------- */
 /* Paths name fields as on the wire: "grid.dx" or "friction.rolling.xi" for inputs of a contact,
@@ -155,7 +189,7 @@ CONTACTD_API const char* contactd_last_reason(const void* handle);
  *     its value.
  * @retval CONTACTD_FAILED_PRECONDITION The contact was started, and the field is part of its set-up.
  */
-CONTACTD_API int32_t contactd_set(void* handle, const char* path, double value);
+CONTACTD_API int32_t contactd_set(contactd_handle handle, const char* path, double value);
 
 /**
  * @brief Sets a field to one of its keywords, such as "model" to "hertz".
@@ -166,7 +200,7 @@ CONTACTD_API int32_t contactd_set(void* handle, const char* path, double value);
  * @retval CONTACTD_INVALID_ARGUMENT The path or the keyword is invalid.
  * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
  */
-CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const char* keyword);
+CONTACTD_API int32_t contactd_set_word(contactd_handle handle, const char* path, const char* keyword);
 
 /**
  * @brief Sets all numbers of an object, of a list, or of an array over the grid.
@@ -182,7 +216,7 @@ CONTACTD_API int32_t contactd_set_word(void* handle, const char* path, const cha
  * @retval CONTACTD_INVALID_ARGUMENT The path, a value or the count is invalid.
  * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
  */
-CONTACTD_API int32_t contactd_set_array(void* handle, const char* path, const double* values, int32_t count);
+CONTACTD_API int32_t contactd_set_array(contactd_handle handle, const char* path, const double* values, int32_t count);
 
 /**
  * @brief Removes an optional field or a list.
@@ -194,7 +228,7 @@ CONTACTD_API int32_t contactd_set_array(void* handle, const char* path, const do
  * @retval CONTACTD_INVALID_ARGUMENT The path is unknown, or the field is required.
  * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
  */
-CONTACTD_API int32_t contactd_clear(void* handle, const char* path);
+CONTACTD_API int32_t contactd_clear(contactd_handle handle, const char* path);
 
 /**
  * @brief Reads a number of the last solve or step, or the length of a list.
@@ -207,7 +241,7 @@ CONTACTD_API int32_t contactd_clear(void* handle, const char* path);
  * @retval CONTACTD_NOT_FOUND The solution does not have this result.
  * @retval CONTACTD_FAILED_PRECONDITION There are no results yet.
  */
-CONTACTD_API int32_t contactd_get(void* handle, const char* path, double* value);
+CONTACTD_API int32_t contactd_get(contactd_handle handle, const char* path, double* value);
 
 /**
  * @brief Copies a keyword or a text of the last solve or step.
@@ -221,7 +255,7 @@ CONTACTD_API int32_t contactd_get(void* handle, const char* path, double* value)
  * @retval CONTACTD_NOT_FOUND The solution does not have this result.
  * @retval CONTACTD_FAILED_PRECONDITION There are no results yet.
  */
-CONTACTD_API int32_t contactd_get_word(void* handle, const char* path, char* text, int32_t length);
+CONTACTD_API int32_t contactd_get_word(contactd_handle handle, const char* path, char* text, int32_t length);
 
 /**
  * @brief Reads all numbers of an object or a list, or of an array over the grid.
@@ -239,7 +273,7 @@ CONTACTD_API int32_t contactd_get_word(void* handle, const char* path, char* tex
  * @retval CONTACTD_NOT_FOUND The solution does not have this result.
  * @retval CONTACTD_FAILED_PRECONDITION There are no results yet, or the array was not requested.
  */
-CONTACTD_API int32_t contactd_get_array(void* handle, const char* path, double* values, int32_t count);
+CONTACTD_API int32_t contactd_get_array(contactd_handle handle, const char* path, double* values, int32_t count);
 
 /**
  * @brief Returns the number of values that contactd_get_array reads.
@@ -252,7 +286,7 @@ CONTACTD_API int32_t contactd_get_array(void* handle, const char* path, double* 
  * @retval CONTACTD_NOT_FOUND The solution does not have this result.
  * @retval CONTACTD_FAILED_PRECONDITION There are no results yet, or the array was not requested.
  */
-CONTACTD_API int32_t contactd_length(void* handle, const char* path, int32_t* count);
+CONTACTD_API int32_t contactd_length(contactd_handle handle, const char* path, int32_t* count);
 
 /**
  * @brief Requests or omits an array over the grid in all later solves or steps.
@@ -268,7 +302,7 @@ CONTACTD_API int32_t contactd_length(void* handle, const char* path, int32_t* co
  * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The name or the flag is invalid. The message lists the names.
  */
-CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t requested);
+CONTACTD_API int32_t contactd_want(contactd_handle handle, const char* array, int32_t requested);
 
 /**
  * @brief Returns a number that replaces a path, for loops in which a text is too slow.
@@ -278,7 +312,7 @@ CONTACTD_API int32_t contactd_want(void* handle, const char* array, int32_t requ
  * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_INVALID_ARGUMENT The path is unknown.
  */
-CONTACTD_API int32_t contactd_path(void* handle, const char* path, int32_t* id);
+CONTACTD_API int32_t contactd_path(contactd_handle handle, const char* path, int32_t* id);
 
 /**
  * @brief Sets a number like contactd_set.
@@ -289,7 +323,7 @@ CONTACTD_API int32_t contactd_path(void* handle, const char* path, int32_t* id);
  * @retval CONTACTD_INVALID_ARGUMENT The number of the path is invalid; otherwise as for contactd_set.
  * @retval CONTACTD_FAILED_PRECONDITION As for contactd_set.
  */
-CONTACTD_API int32_t contactd_set_at(void* handle, int32_t id, double value);
+CONTACTD_API int32_t contactd_set_at(contactd_handle handle, int32_t id, double value);
 
 /**
  * @brief Reads a number like contactd_get.
@@ -302,7 +336,7 @@ CONTACTD_API int32_t contactd_set_at(void* handle, int32_t id, double value);
  * @retval CONTACTD_NOT_FOUND The solution does not have this result.
  * @retval CONTACTD_FAILED_PRECONDITION There are no results yet.
  */
-CONTACTD_API int32_t contactd_get_at(void* handle, int32_t id, double* value);
+CONTACTD_API int32_t contactd_get_at(contactd_handle handle, int32_t id, double* value);
 
 /* --- connections ------------------------------------------------------------------------------------------------- */
 /* Settings of a connection apply to contacts and wheels created later. */
@@ -518,7 +552,7 @@ CONTACTD_API int32_t contactd_get_frames(contactd_contact* contact, const char* 
  * @retval CONTACTD_INVALID_ARGUMENT The path does not name a profile, or the file cannot be read or is not a profile.
  * @retval CONTACTD_FAILED_PRECONDITION The contact was started before.
  */
-CONTACTD_API int32_t contactd_read_profile(void* handle, const char* path, const char* file);
+CONTACTD_API int32_t contactd_read_profile(contactd_handle handle, const char* path, const char* file);
 
 /* --- steps of contacts and of wheels ----------------------------------------------------------------------------- */
 /**
@@ -529,7 +563,7 @@ CONTACTD_API int32_t contactd_read_profile(void* handle, const char* path, const
  * @param handle A contact or a wheel.
  * @return The codes of contactd_step or contactd_wheel_solve.
  */
-CONTACTD_API int32_t contactd_step_again(void* handle);
+CONTACTD_API int32_t contactd_step_again(contactd_handle handle);
 
 /**
  * @brief Saves the state of a contact or a wheel with its results. Before the first step it is the start.
@@ -542,7 +576,7 @@ CONTACTD_API int32_t contactd_step_again(void* handle);
  * @retval CONTACTD_NOT_FOUND The daemon has ended the session.
  * @retval CONTACTD_RESOURCE_EXHAUSTED The daemon's limit of saved states is reached.
  */
-CONTACTD_API int32_t contactd_save(void* handle, int32_t* state);
+CONTACTD_API int32_t contactd_save(contactd_handle handle, int32_t* state);
 
 /**
  * @brief Returns to a saved state, any number of times.
@@ -551,7 +585,7 @@ CONTACTD_API int32_t contactd_save(void* handle, int32_t* state);
  * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_NOT_FOUND There is no such state, or the daemon has ended the session.
  */
-CONTACTD_API int32_t contactd_restore(void* handle, int32_t state);
+CONTACTD_API int32_t contactd_restore(contactd_handle handle, int32_t state);
 
 /**
  * @brief Frees a saved state.
@@ -560,7 +594,7 @@ CONTACTD_API int32_t contactd_restore(void* handle, int32_t state);
  * @return CONTACTD_OK, one of the common errors, or one of these codes:
  * @retval CONTACTD_NOT_FOUND There is no such state, or the daemon has ended the session.
  */
-CONTACTD_API int32_t contactd_forget(void* handle, int32_t state);
+CONTACTD_API int32_t contactd_forget(contactd_handle handle, int32_t state);
 
 /* --- wheels on rails --------------------------------------------------------------------------------------------- */
 /* Computes contact patches and forces from profiles and the position of a wheelset. docs/wheel-rail.md defines
@@ -676,6 +710,55 @@ CONTACTD_API int32_t contactd_wheel_cancel(contactd_wheel* wheel);
 CONTACTD_API int32_t contactd_wheel_set_timeout(contactd_wheel* wheel, double seconds);
 
 #ifdef __cplusplus
+}
+#endif
+
+/* Overloads that refuse other pointers in C++. */
+#if defined(__cplusplus) && (__cplusplus >= 201103L || defined(_MSC_VER)) && !defined(CONTACTD_UNTYPED_HANDLES)
+extern "C++" {
+template <class Other>
+struct contactd_not_a_handle {
+    typedef int32_t type;
+};
+template <class Other>
+struct contactd_not_a_handle<const Other> : contactd_not_a_handle<Other> {};
+template <>
+struct contactd_not_a_handle<void> {};
+template <>
+struct contactd_not_a_handle<contactd_contact> {};
+template <>
+struct contactd_not_a_handle<contactd_wheel> {};
+template <class Other>
+struct contactd_not_any_handle : contactd_not_a_handle<Other> {};
+template <>
+struct contactd_not_any_handle<contactd_connection> {};
+template <>
+struct contactd_not_any_handle<const contactd_connection> {};
+#define CONTACTD_REFUSE(function, others)      \
+    template <class Other, class... Arguments> \
+    typename others<Other>::type function(Other*, Arguments...) = delete;
+CONTACTD_REFUSE(contactd_last_code, contactd_not_any_handle)
+CONTACTD_REFUSE(contactd_last_error, contactd_not_any_handle)
+CONTACTD_REFUSE(contactd_last_field, contactd_not_any_handle)
+CONTACTD_REFUSE(contactd_last_reason, contactd_not_any_handle)
+CONTACTD_REFUSE(contactd_set, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_set_word, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_set_array, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_clear, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_get, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_get_word, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_get_array, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_length, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_want, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_path, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_set_at, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_get_at, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_read_profile, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_step_again, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_save, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_restore, contactd_not_a_handle)
+CONTACTD_REFUSE(contactd_forget, contactd_not_a_handle)
+#undef CONTACTD_REFUSE
 }
 #endif
 

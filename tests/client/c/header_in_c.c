@@ -1,4 +1,5 @@
-/* The header is C99, with nothing before it. */
+/* The header is C99, without headers before it. Handles as unions would exempt it from pedantic warnings. */
+#define CONTACTD_UNTYPED_HANDLES
 #include "contactd.h"
 
 /* What a C compiler makes of the words. */

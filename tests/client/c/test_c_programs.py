@@ -103,7 +103,7 @@ def test_octave_tells_what_went_wrong(call, error, sentence):
 def test_octave_has_every_function_of_the_header():
     header = (ROOT / "client" / "c" / "include" / "contactd.h").read_text()
     source = "".join(path.read_text() for path in (ROOT / "client" / "c" / "matlab").glob("contactd_mex*.[ch]"))
-    functions = set(re.findall(r"CONTACTD_API [^(]*?contactd_(\w+)\((?:contactd_|const char|void\*)", header))
+    functions = set(re.findall(r"CONTACTD_API [^(]*?contactd_(\w+)\((?:contactd_(?!any_)|const char)", header))
     called = set(re.findall(r"CALL\((\w+),", source)) | set(re.findall(r"contactd_(\w+)\(c?", source))
     assert len(functions) > 35
     assert functions - called == set()

@@ -28,7 +28,7 @@ std::string reason() {
 
 /// Functions of the header whose declaration begins so; by default that take a contact first.
 std::set<std::string> declared_calls(
-    const std::string& begin = R"((contactd_\w+)\((?:contactd_contact\* contact|void\* handle))") {
+    const std::string& begin = R"((contactd_\w+)\((?:contactd_contact\* contact|contactd_handle handle))") {
     std::ifstream file(HEADER);
     std::stringstream text;
     text << file.rdbuf();
@@ -71,7 +71,7 @@ TEST_CASE("A handle that is none is refused by every function", "[c]") {
     contactd_connection* const place = nowhere.place;
     int elsewhere = 0;
     Arguments arguments;
-    const std::set<std::string> takes_wheels = declared_calls(R"((contactd_\w+)\(void\* handle)");
+    const std::set<std::string> takes_wheels = declared_calls(R"((contactd_\w+)\(contactd_handle handle)");
     for (void* handle : {static_cast<void*>(nullptr), static_cast<void*>(freed), static_cast<void*>(place),
                          static_cast<void*>(&elsewhere)})
         for (const auto& [name, call] : every_call(arguments)) {

@@ -29,7 +29,7 @@ std::set<std::string> declared_calls() {
     std::stringstream text;
     text << file.rdbuf();
     const std::string header = text.str();
-    const std::regex declaration(R"((contactd_\w+)\((?:contactd_wheel\* (?:wheel|right)|void\* handle))");
+    const std::regex declaration(R"((contactd_\w+)\((?:contactd_wheel\* (?:wheel|right)|contactd_handle handle))");
     std::set<std::string> names;
     for (std::sregex_iterator at(header.begin(), header.end(), declaration), end; at != end; ++at)
         names.insert((*at)[1]);
