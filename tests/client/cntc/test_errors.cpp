@@ -43,9 +43,9 @@ void say_errors(int wanted) {
 TEST_CASE("a sentence is printed once, and kept") {
     Case none(77001, 1, false);
 
-    CHECK(printed([&] { none.forces(); }) == "contactd: cntc_getcontactforces: There is no result element 77001.\n");
+    CHECK(printed([&] { none.forces(); }) == "contactd: cntc_getcontactforces: Result element 77001 does not exist.\n");
 
-    CHECK(last_sentence() == "cntc_getcontactforces: There is no result element 77001.");
+    CHECK(last_sentence() == "cntc_getcontactforces: Result element 77001 does not exist.");
     CHECK(printed([&] { none.forces(); }).empty());
     CHECK(last_code() == -31);
 }

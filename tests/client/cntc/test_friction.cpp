@@ -241,6 +241,17 @@ TEST_CASE("friction along the track that is given too far apart is warned of onc
     CHECK(sentence_at(-5000).empty());
 }
 
+TEST_CASE("a wrong number of friction positions is refused") {
+    RailCase rail = manchester_wheel(10, contactd::Side::right);
+    rail.whole.friction(20, {0});
+    CHECK(last_code() == -33);
+    CHECK_THAT(last_sentence(), ContainsSubstring("The number of friction positions is 0"));
+    rail.whole.friction(20, {2, 0, 0.2, 0.2});
+    CHECK(last_code() == -33);
+    CHECK_THAT(last_sentence(),
+               ContainsSubstring("Friction at 2 positions requires 1 + 2 x 3 values, but nparam is 4"));
+}
+
 TEST_CASE("memory of friction by temperature that differs between angles is refused", "[heat]") {
     RailCase rail = manchester_wheel(9, contactd::Side::right);
     const auto varying = [](double first, double second) {

@@ -74,7 +74,7 @@ TEST_CASE("each contact problem of a result element has its own case", "[input]"
     second.calculate();
     CHECK(std::abs(first.forces().fn / second.forces().fn - 2) < 1e-4);
     CHECK(file.read(alone) == -39);
-    CHECK_THAT(last_sentence(), ContainsSubstring("There is no case of the result element 74"));
+    CHECK_THAT(last_sentence(), ContainsSubstring("There is no case for result element 74"));
 }
 
 TEST_CASE("what the library does not have is refused by its name", "[input]") {

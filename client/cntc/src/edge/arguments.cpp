@@ -14,7 +14,8 @@ namespace {
 int length_of(const int* count, const char* name) {
     require(count, "the length of an array");
     if (*count < 0)
-        throw Refused(error_code::input, std::string(name) + " has the length " + std::to_string(*count) + ".");
+        throw Refused(error_code::input, "The length of " + std::string(name) + " is " + std::to_string(*count) +
+                                             "; it must be at least 0.");
     return *count;
 }
 
@@ -53,7 +54,7 @@ std::vector<double> list(const double* values, const int* count, int size, const
     for (int i = 0; i < size; ++i)
         if (!std::isfinite(values[i]))
             throw Refused(error_code::input,
-                          std::string(name) + " holds " + number_text(values[i]) + "; its values must be finite.");
+                          std::string(name) + " contains " + number_text(values[i]) + "; its values must be finite.");
     return {values, values + size};
 }
 

@@ -12,7 +12,7 @@
 namespace contactd::cntc {
 
 void require_converged(const ContactEvidence& evidence) {
-    const char* const found = " The best that was found is kept; allow more iterations.";
+    const char* const found = " The best solution found is kept. Allow more iterations.";
     if (!evidence.normal.converged)
         throw Refused(error_code::normal, std::string("The normal problem did not converge.") + found);
     for (const auto& solver : {evidence.tangential, evidence.force})
@@ -27,7 +27,7 @@ void require_converged(const ContactEvidence& evidence) {
 
 const Solved& solution_of(const ProblemCase& problem) {
     if (!problem.current)
-        throw Refused(error_code::input, "There is no solution to read from; call cntc_calculate, and look at ierror.");
+        throw Refused(error_code::input, "There is no solution. Call cntc_calculate and check ierror.");
     return *problem.solved;
 }
 

@@ -64,7 +64,7 @@ std::optional<int> digit_of(const Settings& settings, int code) {
 
 void require_known_flag(int code) {
     if (code == flag::units || means_nothing(code) || find(code) != nullptr) return;
-    throw Refused(error_code::input, "Flag " + std::to_string(code) + " is not known; it has no effect.");
+    throw Refused(error_code::input, "Flag " + std::to_string(code) + " is unknown and has no effect.");
 }
 
 void set_flag_digit(Settings& settings, int code, int value) {

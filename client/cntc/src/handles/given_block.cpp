@@ -34,7 +34,8 @@ std::vector<double> depths(int kind, const GivenArray& given, double length) {
     const int count = whole(values[0], "nz");
     constexpr int most = 100'000;
     if (count < 1 || count > most)
-        throw Refused(error_code::input, "A block has 1 to " + std::to_string(most) + " layers.");
+        throw Refused(error_code::input,
+                      "nz is " + std::to_string(count) + "; it must be 1 to " + std::to_string(most) + ".");
     std::vector<double> z;
     for (int k = 0; k < count; ++k) z.push_back((values[1] + k * values[2]) * length);
     return z;
@@ -45,7 +46,7 @@ std::vector<double> depths(int kind, const GivenArray& given, double length) {
 GivenBlock read_block(int kind, const GivenArray& x, const GivenArray& y, const GivenArray& z, double length) {
     constexpr std::array kinds{1, 2, 3, 5, 6, 7, 9};
     if (std::ranges::find(kinds, kind) == kinds.end())
-        throw Refused(error_code::input, "isubs is " + std::to_string(kind) + "; it is 1, 2, 3, 5, 6, 7 or 9.");
+        throw Refused(error_code::input, "isubs is " + std::to_string(kind) + "; it must be 1, 2, 3, 5, 6, 7 or 9.");
     return {kind, across(kind, x, length, "x"), across(kind, y, length, "y"), depths(kind, z, length)};
 }
 

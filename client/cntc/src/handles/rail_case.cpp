@@ -28,14 +28,14 @@ void use(RailCase& rail, const WheelRailSetup& setup) {
 
 void require_all_converged(const WheelRailSolution& solution) {
     const auto missed = [](const std::optional<SolverEvidence>& search) { return search && !search->converged; };
-    const std::string kept = " The best that was found is kept.";
+    const std::string kept = " The best solution found is kept.";
     for (const WheelRailPatch& patch : solution.patches) require_converged(patch.solution.evidence);
     if (missed(solution.force))
-        throw Refused(error_code::total_force, "No height of the wheelset brings the vertical force." + kept);
+        throw Refused(error_code::total_force, "No height of the wheelset produces the vertical force." + kept);
     if (missed(solution.pitch_search))
-        throw Refused(error_code::total_force, "No pitch rate brings the longitudinal force." + kept);
+        throw Refused(error_code::total_force, "No pitch rate produces the longitudinal force." + kept);
     if (missed(solution.rail_search))
-        throw Refused(error_code::total_force, "The massless flexible rail found no balance." + kept);
+        throw Refused(error_code::total_force, "No equilibrium of the massless flexible rail was found." + kept);
 }
 
 GivenMotion creepages_of(const Motion& motion) {
@@ -54,8 +54,7 @@ void require_contact(const RailCase& rail) {
 }  // namespace
 
 const WheelRailSolution& solution_of(const RailCase& rail) {
-    if (!rail.current)
-        throw Refused(error_code::input, "There is no solution to read from; call cntc_calculate, and look at ierror.");
+    if (!rail.current) throw Refused(error_code::input, "There is no solution. Call cntc_calculate and check ierror.");
     return *rail.solution;
 }
 

@@ -7,14 +7,16 @@
 namespace contactd::cntc {
 namespace {
 
-std::string name_of(int ire, int icp) {
-    return "contact problem " + std::to_string(icp) + " of result element " + std::to_string(ire);
+Refused missing_problem(int ire, int icp) {
+    const std::string element = std::to_string(ire);
+    if (icp == all_problems) return {error_code::handle, "Result element " + element + " has no contact problems."};
+    return {error_code::handle,
+            "Contact problem " + std::to_string(icp) + " of result element " + element + " does not exist."};
 }
 
 void require_number(int ire) {
     if (ire < 1)
-        throw Refused(error_code::handle,
-                      "Result elements are numbered from 1 on; there is no " + std::to_string(ire) + ".");
+        throw Refused(error_code::handle, "ire is " + std::to_string(ire) + "; result elements are numbered from 1.");
 }
 
 }  // namespace
@@ -42,7 +44,7 @@ void Registry::initialize(int ire, int module) {
 void Registry::finalize(int ire) {
     const std::scoped_lock lock(mutex_);
     if (elements_.erase(ire) == 0)
-        throw Refused(error_code::handle, "There is no result element " + std::to_string(ire) + ".");
+        throw Refused(error_code::handle, "Result element " + std::to_string(ire) + " does not exist.");
 }
 
 void Registry::finalize_all() {
@@ -55,14 +57,14 @@ Registry::ResultElement& Registry::element(int ire, int module) {
     ResultElement& element = elements_.try_emplace(ire, module).first->second;
     if (element.module != module_number::basic_contact && element.module != module_number::wheel_rail)
         throw Refused(error_code::handle, "Result element " + std::to_string(ire) +
-                                              " was initialized for another module than 1 and 3, which contactd does "
-                                              "not have.");
+                                              " was initialized for a module that is not supported. "
+                                              "Use module 1 or 3.");
     return element;
 }
 
 Registry::ResultElement& Registry::existing_element(int ire) {
     if (!elements_.contains(ire))
-        throw Refused(error_code::handle, "There is no result element " + std::to_string(ire) + ".");
+        throw Refused(error_code::handle, "Result element " + std::to_string(ire) + " does not exist.");
     return element(ire);
 }
 
@@ -78,10 +80,8 @@ CasePtr& Registry::problem(ResultElement& element, int icp) {
 std::vector<CasePtr> Registry::to_set(int ire, int icp) {
     const std::scoped_lock lock(mutex_);
     if (icp < 1 && icp != all_problems)
-        throw Refused(error_code::handle,
-                      "Contact problems are numbered from 1 on, and -1 means all of them; there "
-                      "is no " +
-                          name_of(ire, icp) + ".");
+        throw Refused(error_code::handle, "icp is " + std::to_string(icp) +
+                                              "; contact problems are numbered from 1, and -1 means all of them.");
     ResultElement& found = element(ire);
     if (icp == all_problems) {
         std::vector<CasePtr> all{found.pattern};
@@ -97,7 +97,7 @@ std::vector<CasePtr> Registry::existing(int ire, int icp) {
     std::vector<CasePtr> result;
     for (const auto& [number, problem] : problems)
         if (icp == all_problems || icp == number) result.push_back(problem);
-    if (result.empty()) throw Refused(error_code::handle, "There is no " + name_of(ire, icp) + ".");
+    if (result.empty()) throw missing_problem(ire, icp);
     return result;
 }
 
@@ -119,8 +119,8 @@ RailPtrs Registry::rail(int ire) {
     const ResultElement& found = element(ire, module_number::wheel_rail);
     if (!found.rail)
         throw Refused(error_code::handle, "Result element " + std::to_string(ire) +
-                                              " was initialized for basic contact, module 3; a wheel on a rail is "
-                                              "module 1.");
+                                              " was initialized for basic contact (module 3), not for a wheel "
+                                              "on a rail (module 1).");
     return {found.rail, found.pattern};
 }
 
@@ -143,7 +143,8 @@ std::vector<CasePtr> Registry::patches(int ire, std::size_t count, const Setting
 
 CasePtr Registry::at(int ire, int icp) {
     if (icp == all_problems)
-        throw Refused(error_code::handle, "One contact problem must be named; -1 stands for all of them.");
+        throw Refused(error_code::handle,
+                      "icp is -1, which means all contact problems. This function requires the number of one.");
     return existing(ire, icp).front();
 }
 

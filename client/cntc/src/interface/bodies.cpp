@@ -48,15 +48,18 @@ GivenFriction friction_of(int method, const double* params, const int* nparam, c
         throw Refused(error_code::friction,
                       "Friction method " + std::to_string(method) + " is not supported; use 0, 2, 3, 4, 5 or 6" +
                           (on_rails ? ", plus 10 for friction by the rail's angle or 20 for friction along the track."
-                                    : ": friction of basic contact does not vary."));
+                                    : ". Friction of basic contact does not vary."));
     if (varies == varies::nowhere) return uniform_friction(law, list(params, nparam, size, "params"), settings.units);
     // Format: [count, and for each place its angle or position followed by the numbers of the law].
     const auto given = numbers(params, nparam, 1, "params");
-    const int count = whole(given[0], "the number of places of friction");
-    if (count < 1 || given.size() != 1 + static_cast<std::size_t>(count) * static_cast<std::size_t>(size + 1))
-        throw Refused(error_code::friction, "Friction that varies has " + std::to_string(given.size()) +
-                                                " values, which " + std::to_string(count) + " places with " +
-                                                std::to_string(size + 1) + " values each are not.");
+    const int count = whole(given[0], "the number of friction positions");
+    if (count < 1)
+        throw Refused(error_code::friction,
+                      "The number of friction positions is " + std::to_string(count) + "; it must be at least 1.");
+    if (given.size() != 1 + static_cast<std::size_t>(count) * static_cast<std::size_t>(size + 1))
+        throw Refused(error_code::friction, "Friction at " + std::to_string(count) + " positions requires 1 + " +
+                                                std::to_string(count) + " x " + std::to_string(size + 1) +
+                                                " values, but nparam is " + std::to_string(given.size()) + ".");
     std::vector<FrictionAt> places;
     for (auto at = given.begin() + 1; at != given.end(); at += size + 1)
         places.push_back({*at, {at + 1, at + 1 + size}});

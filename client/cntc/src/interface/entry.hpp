@@ -71,7 +71,7 @@ void set_basic(const char* function, const int* ire, const int* icp, const char*
         const int element = number_of(ire);
         if (Registry::of_process().is_wheel_rail(element))
             throw Refused(error_code::handle, "Result element " + std::to_string(element) +
-                                                  " is a wheel on a rail, for which this follows from profiles, "
+                                                  " is a wheel on a rail. There, this input follows from profiles, "
                                                   "position and motion. Remove the call.");
         for_each_settings(ire, icp, [&](Settings& settings) { set_part(settings, part, change); });
     });

@@ -82,7 +82,7 @@ std::vector<double> picture_back(const ProblemCase& problem) {
 }
 
 std::vector<double> material_back(const Settings& settings) {
-    if (!settings.materials) throw Refused(error_code::input, "No material was set.");
+    if (!settings.materials) throw Refused(error_code::input, "No material was set; call cntc_setmaterialparameters.");
     const auto& [upper, lower] = *settings.materials;
     const double stress = settings.units.stress();
     std::vector<double> back{upper.nu, lower.nu, upper.G / stress, lower.G / stress};
@@ -94,7 +94,7 @@ std::vector<double> material_back(const Settings& settings) {
 }
 
 std::vector<double> friction_back(const Settings& settings) {
-    if (!settings.friction) throw Refused(error_code::input, "No friction was set.");
+    if (!settings.friction) throw Refused(error_code::input, "No friction was set; call cntc_setfrictionmethod.");
     return numbers_of(*settings.friction, settings.units);
 }
 

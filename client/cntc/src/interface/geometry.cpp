@@ -16,7 +16,8 @@ namespace {
 void set_rail_elements(const int* ire, const int* icp, const int* ipotcn, const int* nparam, const double* rparam) {
     set_rail("cntc_setpotcontact", ire, "potential contact", [&](RailSettings& rail, const Units& units) {
         if (number_of(icp) > 0)
-            throw Refused(error_code::handle, "Elements of a wheel on a rail are set for all patches; icp must be -1.");
+            throw Refused(error_code::handle,
+                          "All patches of a wheel on a rail have the same elements; icp must be -1.");
         const int option = integer(ipotcn, "ipotcn");
         rail.elements = rail_elements(option, numbers(rparam, nparam, option == 0 ? 2 : 5, "rparam"), units);
     });
@@ -27,7 +28,7 @@ void get_rail_elements(const int* ire, double* dx, double* dy) {
         require(dx, "dx");
         require(dy, "dy");
         if (!rail.settings.elements)
-            throw Refused(error_code::discretisation, "No sizes of elements were set; call cntc_setpotcontact.");
+            throw Refused(error_code::discretisation, "Element sizes are missing; call cntc_setpotcontact.");
         *dx = rail.settings.elements->dx / common.units.length;
         *dy = rail.settings.elements->ds / common.units.length;
     });

@@ -25,7 +25,7 @@ extern "C" void cntc_settemperaturedata(int* ire, int* icp, int* imeth, int* npa
             throw Refused(error_code::input, "Temperature method " + std::to_string(method) +
                                                  " is not supported; use 0 for none, 1 to keep the data, or 3.");
         } else if (method == keep && !settings.heat) {
-            throw Refused(error_code::input, "Method 1 keeps the data, but none was set; use method 3.");
+            throw Refused(error_code::input, "Temperature method 1 keeps the data, but none were set. Use method 3.");
         }
         settings.digits.heat = method;
         settings.refused.erase("flag " + std::to_string(flag::heat));

@@ -52,11 +52,11 @@ std::map<int, FileCase> cases_of(const std::string& name, int ire, bool on_rails
         if (!cases.emplace(on_rails ? 1 : read->cpid.value_or(1), *read).second)
             throw Refused(error_code::input,
                           where + "A second case begins in line " + std::to_string(read->line) +
-                              "; a contact problem has one case at a time. Write each case into a separate file.");
+                              ", but a contact problem takes one case at a time. Write each case to a separate file.");
     }
     if (!reader.errors().empty()) throw Refused(error_code::input, where + reader.errors().front() + ".");
     if (cases.empty())
-        throw Refused(error_code::input, where + "There is no case of the result element " + std::to_string(ire) + ".");
+        throw Refused(error_code::input, where + "There is no case for result element " + std::to_string(ire) + ".");
     return cases;
 }
 

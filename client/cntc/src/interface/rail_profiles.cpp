@@ -69,7 +69,7 @@ void get_values(const char* function, const int* ire, const int* itask, const Op
         }
         out[0] = error_code::profile;  // programs check this value
         if ((query.wheel ? rail.settings.wheel : rail.settings.rail).empty())
-            throw Refused(error_code::profile, "No such profile was set; call cntc_setprofileinputfname.");
+            throw Refused(error_code::profile, "This profile was not set; call cntc_setprofileinputfname.");
         std::vector<double> found =
             profile_values(query, outlines_of(rail, common), [&] { return frames_of(rail, common); });
         if (query.task == gauge)

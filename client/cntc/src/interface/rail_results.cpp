@@ -20,7 +20,7 @@ void fill(std::span<const double> found, std::span<double> out) {
 const WheelRailPatch& patch_of(const RailCase& rail, int icp) {
     const auto patches = ordered_patches(rail);
     if (icp < 1 || static_cast<std::size_t>(icp) > patches.size())
-        throw Refused(error_code::handle, "There is no patch " + std::to_string(icp) + "; there are " +
+        throw Refused(error_code::handle, "Patch " + std::to_string(icp) + " does not exist; the solution has " +
                                               std::to_string(patches.size()) + ".");
     return *patches[static_cast<std::size_t>(icp) - 1];
 }

@@ -13,8 +13,8 @@ template <std::size_t most>
 std::array<double, most> given(const double* values, const int* count, int least) {
     const auto read = numbers(values, count, least, "rparam");
     if (read.size() > most)
-        throw Refused(error_code::input, "rparam has " + std::to_string(read.size()) + " values, but at most " +
-                                             std::to_string(most) + " are read here.");
+        throw Refused(error_code::input, "rparam has " + std::to_string(read.size()) +
+                                             " values; it must have at most " + std::to_string(most) + ".");
     std::array<double, most> all{};
     std::copy(read.begin(), read.end(), all.begin());
     return all;

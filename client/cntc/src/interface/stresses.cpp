@@ -14,7 +14,7 @@ namespace {
 const GivenBlock& block_of(const ProblemCase& problem, int number) {
     const auto found = problem.settings.blocks.find(number);
     if (found == problem.settings.blocks.end())
-        throw Refused(error_code::input, "There is no block " + std::to_string(number) + "; call subs_addblock.");
+        throw Refused(error_code::input, "Block " + std::to_string(number) + " does not exist; call subs_addblock.");
     return found->second;
 }
 
@@ -23,7 +23,7 @@ const SolvedBlock& solved_block(const ProblemCase& problem, int number) {
     const GivenBlock& block = block_of(problem, number);
     const auto found = problem.blocks.find(number);
     if (found == problem.blocks.end() || found->second.given != block)
-        throw Refused(error_code::input, "There are no stresses for block " + std::to_string(number) +
+        throw Refused(error_code::input, "There are no stresses of block " + std::to_string(number) +
                                              "; call subs_calculate after cntc_calculate.");
     return found->second;
 }
