@@ -1,12 +1,12 @@
 /*
- * A sphere pressed on a plane and shifted (Cattaneo), in steps: it slips at the edge first.
+ * Presses a sphere on a plane and shifts it in steps (Cattaneo). Slip starts at the edge.
  *
  *     contactd-c-example ipc:///run/contactd.sock
  */
 #include <contactd.h>
 #include <stdio.h>
 
-/* Says what went wrong, if anything did. */
+/* Prints the error message, if any. */
 static int failed(int32_t code, const void* handle) {
     if (code == CONTACTD_OK) return 0;
     fprintf(stderr, "%s: %s\n", contactd_code_name(code), contactd_last_error(handle));
@@ -18,14 +18,14 @@ static const struct {
     double value;
 } inputs[] = {
     {"grid.nx", 40},           {"grid.ny", 40},
-    {"grid.dx", 0.06},                                                  /* mm */
-    {"grid.dy", 0.06},         {"bodies.upper.G", 200},                 /* N/mm^2; the lower body is as the upper one */
-    {"bodies.upper.nu", 0.42}, {"gap.paraboloid.Rx", 50},               /* mm */
-    {"gap.paraboloid.Ry", 50}, {"approach", 0.02},                      /* mm; or "Fn", a force (N) */
+    {"grid.dx", 0.06},                                    /* mm */
+    {"grid.dy", 0.06},         {"bodies.upper.G", 200},   /* N/mm^2; the lower body equals the upper one */
+    {"bodies.upper.nu", 0.42}, {"gap.paraboloid.Rx", 50}, /* mm */
+    {"gap.paraboloid.Ry", 50}, {"approach", 0.02},        /* mm; or "Fn", a force (N) */
     {"friction.mu", 0.4},      {"friction.rigid_shift.x", 0.00817 / 2}, /* mm in each step */
 };
 
-/* Each call answers a code, and the first that is not 0 ends the rest. */
+/* Each call returns a code. The first code other than 0 skips the remaining calls. */
 static int32_t set_up(contactd_contact* contact) {
     int32_t code = CONTACTD_OK;
     size_t i;

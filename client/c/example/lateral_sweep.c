@@ -1,6 +1,6 @@
 /*
- * A wheelset on its way across the track: forces on both rails and the place of their contacts, millimetre by
- * millimetre.
+ * Moves a wheelset across the track in steps of a millimetre, and prints the forces on both rails and the positions of
+ * their contacts.
  *
  *     contactd-c-sweep ENDPOINT             a daemon, for example ipc:///run/contactd.sock
  *     contactd-c-local-sweep local          in process

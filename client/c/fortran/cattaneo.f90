@@ -1,4 +1,4 @@
-! A sphere pressed on a plane and shifted in two steps, as example/cattaneo.c:
+! Presses a sphere on a plane and shifts it in two steps, like example/cattaneo.c:
 !
 !     contactd-fortran-example ipc:///run/contactd.sock
 program cattaneo
@@ -18,7 +18,7 @@ program cattaneo
     call set("grid.ny", 40d0)
     call set("grid.dx", 0.06d0) ! their size (mm)
     call set("grid.dy", 0.06d0)
-    call set("bodies.upper.G", 200d0) ! N/mm^2; the lower body is as the upper one
+    call set("bodies.upper.G", 200d0) ! N/mm^2; the lower body equals the upper one
     call set("bodies.upper.nu", 0.42d0)
     call set("gap.paraboloid.Rx", 50d0) ! mm
     call set("gap.paraboloid.Ry", 50d0)
@@ -56,7 +56,7 @@ contains
         if (abs(sum(pressure) * 0.06d0**2 - Fn) > 1d-9 * Fn) error stop "the pressures do not sum up to Fn"
     end subroutine
 
-    ! Ends the program with the sentence of what failed.
+    ! Ends the program with the error message.
     subroutine check(code)
         integer(c_int32_t), intent(in) :: code
         if (code == contactd_ok) return

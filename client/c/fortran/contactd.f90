@@ -1,4 +1,4 @@
-! contactd in Fortran: the functions of contactd.h under their own names, and its enumerators. docs/c.md says what they do.
+! contactd in Fortran: the functions of contactd.h under their own names, and its enumerators. docs/c.md describes them.
 !
 !     use contactd
 !     type(c_ptr) :: connection, contact
@@ -7,7 +7,7 @@
 !     code = contactd_set(contact, "friction.mu", 0.3d0)
 !     if (code /= contactd_ok) print *, contactd_last_error(contact)
 !
-! Compile contactd_calls.f90 first. Texts are Fortran's, of any length; arrays over the grid have the shape (nx, ny).
+! Compile contactd_calls.f90 first. Texts are Fortran strings of any length. Arrays over the grid have the shape (nx, ny).
 module contactd
     use, intrinsic :: iso_c_binding
     use contactd_calls
@@ -63,7 +63,7 @@ contains
         character(*), intent(in) :: server_key, own_key
         code = set_keys_c(connection, trim(server_key) // c_null_char, trim(own_key) // c_null_char)
     end function
-    ! Fields by their paths, as "setup.track.springs.z" or "patches[0].place.creepages.xi": lists count from 0, as in C.
+    ! Paths of fields, such as "patches[0].place.creepages.xi", number the entries of lists from 0, as in C.
     integer(c_int32_t) function contactd_set(handle, path, value) result(code)
         type(c_ptr), intent(in) :: handle
         character(*), intent(in) :: path
@@ -94,7 +94,7 @@ contains
         code = get_word_c(handle, trim(path) // c_null_char, buffer, size(buffer, kind=c_int32_t))
         call copy_text(code, buffer, text)
     end function
-    ! `values` has any rank: the fields of an entry, or the elements along x, lie along its first dimension.
+    ! `values` may have any rank. Its first dimension contains the fields of an entry, or the elements along x.
     integer(c_int32_t) function contactd_set_array(handle, path, values, count) result(code)
         type(c_ptr), intent(in) :: handle
         character(*), intent(in) :: path

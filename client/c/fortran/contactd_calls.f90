@@ -1,4 +1,4 @@
-! The functions of contactd.h as C has them. Use contactd.f90, which has the words, and texts as Fortran's, too.
+! Declares the functions of contactd.h. Programs use contactd.f90, which adds the enumerators and Fortran strings.
 module contactd_calls
     use, intrinsic :: iso_c_binding
     implicit none
@@ -76,7 +76,7 @@ module contactd_calls
             import; type(c_ptr), value :: contact; real(c_double), value :: seconds
         end function
 
-        ! Those with texts, under other names: contactd.f90 has them with Fortran's.
+        ! Functions with texts have private names here; contactd.f90 wraps them for Fortran strings.
         type(c_ptr) function version_c() bind(c, name="contactd_version")
             import
         end function

@@ -1,15 +1,15 @@
 function results = cattaneo(where)
-% CATTANEO  A sphere pressed on a plane and shifted in two steps, as example/cattaneo.c:
+% CATTANEO  Presses a sphere on a plane and shifts it in two steps, like example/cattaneo.c:
 %
 %     cattaneo('ipc:///run/contactd.sock')
 %
-% returns a row [Fn Fx] (N) for each step. Runs in MATLAB and in Octave.
+% Returns a row [Fn Fx] (N) for each step. Runs in MATLAB and in Octave.
 connection = contactd('open', where);
 contact = contactd('new', connection);
 set = @(path, value) contactd('set', contact, path, value);
 set('grid.nx', 40), set('grid.ny', 40);                  % elements
 set('grid.dx', 0.06), set('grid.dy', 0.06);              % their size (mm)
-set('bodies.upper.G', 200), set('bodies.upper.nu', 0.42);  % N/mm^2; the lower body is as the upper one
+set('bodies.upper.G', 200), set('bodies.upper.nu', 0.42);  % N/mm^2; the lower body equals the upper one
 contactd('set_array', contact, 'gap.paraboloid', [50 50]);  % radii (mm)
 set('approach', 0.02);                                   % mm
 set('friction.mu', 0.4);

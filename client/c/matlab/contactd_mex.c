@@ -1,5 +1,5 @@
 /*
- * contactd in MATLAB and Octave: the functions of contactd.h, by their names behind contactd_.
+ * contactd in MATLAB and Octave: the functions of contactd.h, by their names without contactd_.
  *
  *     connection = contactd('open', 'ipc:///run/contactd.sock');
  *     contact = contactd('new', connection);
@@ -9,9 +9,9 @@
  *     Fn = contactd('get', contact, 'forces.Fn');
  *     p = contactd('get_array', contact, 'pressure', 25, 25);
  *
- * Arguments are those of the header. What the functions put into the caller's memory is returned, an array as a column
- * unless the call says rows and columns, as nx and ny. A code that is not 0 is an error 'contactd:INVALID_ARGUMENT',
- * ..., with the library's sentence.
+ * Arguments are those of the header. Outputs are returned; an array is a column unless the call states its numbers of
+ * rows and columns, such as nx and ny. A code other than 0 raises an error such as 'contactd:INVALID_ARGUMENT' with the
+ * library's message.
  *
  *     mex contactd_mex.c -output contactd -lcontactd          (MATLAB)
  *     mkoctfile --mex contactd_mex.c -o contactd -lcontactd   (Octave)
@@ -22,7 +22,7 @@
 
 enum { longest_text = 4096 };
 
-/* The call that runs: MATLAB is one thread. */
+/* The arguments of the running call. MATLAB calls MEX files from one thread only. */
 static const mxArray** given;
 static int given_count;
 static uint64_t handle;
@@ -34,7 +34,7 @@ static void check(int32_t code) {
     mexErrMsgIdAndTxt(id, "%s", contactd_last_error((const void*)(uintptr_t)handle));
 }
 
-/* Arguments, from 0 behind the handle. */
+/* Returns argument k after the handle, counted from 0. */
 static const mxArray* argument(int k) {
     if (k + 2 >= given_count) mexErrMsgIdAndTxt("contactd:arguments", "Argument %d is missing.", k + 3);
     return given[k + 2];
@@ -95,7 +95,7 @@ static void print_line(void* user, int32_t level, const char* text) {
 void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     char command[longest_text], where[longest_text];
     contactd_connection* connection = NULL;
-    /* Unloading the library would take the code from threads that wait in it. */
+    /* The library must stay loaded, because its threads may still run. */
     if (!mexIsLocked()) mexLock();
     if (nrhs < 1)
         mexErrMsgIdAndTxt("contactd:arguments",

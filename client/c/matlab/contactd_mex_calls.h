@@ -1,15 +1,15 @@
-/* The functions of contactd.h by name, for contactd_mex.c, whose helpers read the arguments. */
+/* Calls the functions of contactd.h by their names, with the helpers of contactd_mex.c. */
 
 enum { most_wheels = 256 };
 
-/* Calls the function `name` if that is the command, and ends. */
+/* If the command is `name`, calls the function and returns 1. */
 #define CALL(name, ...)                      \
     if (!strcmp(command, #name)) {           \
         check(contactd_##name(__VA_ARGS__)); \
         return 1;                            \
     }
 
-/* All numbers of a result: a column or, where the call says rows and columns, so many of them. */
+/* Returns all numbers of a result, as a column unless the call states the numbers of rows and columns. */
 static mxArray* read_array(const char* path) {
     void* of = (void*)(uintptr_t)handle;
     const int is_shaped = given_count > 3;
@@ -25,7 +25,7 @@ static mxArray* read_array(const char* path) {
     return values;
 }
 
-/* Fields by their paths. */
+/* Sets and reads fields by their paths. */
 static int call_of_field(const char* command, mxArray* plhs[]) {
     static const char* const commands[] = {"set",      "set_word",  "set_array", "clear", "want",        "get",
                                            "get_word", "get_array", "length",    "path",  "read_profile"};
@@ -73,7 +73,7 @@ static int call_of_field(const char* command, mxArray* plhs[]) {
     return 1;
 }
 
-/* Steps of contacts and of wheels. */
+/* Repeats steps, and saves and restores states, of contacts and wheels. */
 static int call_of_steps(const char* command, mxArray* plhs[]) {
     void* of = (void*)(uintptr_t)handle;
     int32_t state = 0;
@@ -88,7 +88,7 @@ static int call_of_steps(const char* command, mxArray* plhs[]) {
     return 0;
 }
 
-/* Wheels of a vehicle: the handle, and an array of the others. */
+/* Solves the wheels of a vehicle: that of the handle and those in an array. */
 static int32_t solve_many(int32_t threads) {
     contactd_wheel* wheels[most_wheels];
     const mxArray* others = argument(0);
@@ -102,7 +102,7 @@ static int32_t solve_many(int32_t threads) {
     for (i = 0; i < count; ++i) wheels[i + 1] = (contactd_wheel*)(uintptr_t)((const uint64_t*)mxGetData(others))[i];
     code = contactd_wheel_solve_many(wheels, (int32_t)count + 1, threads);
     for (i = 0; i <= count && contactd_last_code(wheels[i]) != code;) ++i;
-    if (i <= count) handle = (uint64_t)(uintptr_t)wheels[i]; /* whose failure is told */
+    if (i <= count) handle = (uint64_t)(uintptr_t)wheels[i]; /* its failure is reported */
     return code;
 }
 
@@ -147,11 +147,11 @@ static int call_of_connection(const char* command, mxArray* plhs[]) {
     CALL(set_timeout, c, number(0))
     CALL(set_build_timeout, c, number(0))
     CALL(set_connect_timeout, c, number(0))
-    CALL(set_log, c, whole(0) ? print_line : NULL, NULL) /* 1: into the command window */
+    CALL(set_log, c, whole(0) ? print_line : NULL, NULL) /* 1: print in the command window */
     return 0;
 }
 
-/* Frames of ny columns: y, z and the angle, ny x 1 each. */
+/* Returns y, z and the angle of the frames of ny columns, ny x 1 each. */
 static void read_frames(contactd_contact* c, const char* body, int32_t ny, int nlhs, mxArray* plhs[]) {
     const int32_t count = ny > 0 ? ny : 0;
     mxArray* values[3];
