@@ -43,6 +43,11 @@ left=$(comm -13 /tmp/before /tmp/after)
 [ -z "$left" ] || fail "files left behind: $left"
 rm -r plain
 
+say "the first steps of a stranger"
+python3 "$here/first_steps.py" /srv/wheels /srv/docs/python.md /srv/support/contact_hertz.py >&2 ||
+    fail "a first step failed"
+rm -r first ./*.png x.inp x.out
+
 say "the guide and the tutorials, as they are written"
 python3 -m venv whole
 install whole "contactd[all]"
