@@ -48,7 +48,7 @@ void TangCG(benchmark::State& state) {
     bench::count_in_products(state, problem.influence, [&] { return problem.tangential().evidence; });
 }
 
-// Starts from the solution of shifts and a rotation 5 % smaller. With `turned`, the shift along y and the rotation
+// Starts from the solution of shifts and a rotation 5 % smaller. With `rotated`, the shift along y and the rotation
 // decrease instead.
 void TangCG_warm(benchmark::State& state) {
     const Cattaneo problem(static_cast<int>(state.range(0)));
@@ -94,7 +94,10 @@ BENCHMARK(precondition_tangential)->Apply(sizes);
 BENCHMARK(NORM)->Apply(sizes);
 BENCHMARK(NORM_force)->Apply(sizes);
 BENCHMARK(TangCG)->Apply(sizes);
-BENCHMARK(TangCG_warm)->ArgNames({"n", "turned"})->ArgsProduct({{40, 160, 320}, {0, 1}})->Unit(benchmark::kMicrosecond);
+BENCHMARK(TangCG_warm)
+    ->ArgNames({"n", "rotated"})
+    ->ArgsProduct({{40, 160, 320}, {0, 1}})
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(closed_form_table)->Apply(sizes);
 BENCHMARK(layers_table)->Apply(sizes);
 BENCHMARK(convolution_operator)->Apply(sizes);

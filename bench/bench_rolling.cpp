@@ -14,7 +14,7 @@ void steady_cold(benchmark::State& state) {
     bench::count_in_products(state, problem.influence, [&] { return problem.steady(w).evidence; });
 }
 
-// Starts from the solution for creepages 5 % smaller; with `turned`, lateral creepage and spin were larger instead.
+// Starts from the solution for creepages 5 % smaller; with `rotated`, lateral creepage and spin were larger instead.
 void steady_warm(benchmark::State& state) {
     const Elliptic problem(static_cast<int>(state.range(0)));
     const double sideways = state.range(1) != 0 ? 0.95 : 1.05;
@@ -50,7 +50,7 @@ BENCHMARK(A_p)->Apply(sizes);
 BENCHMARK(change_product)->Apply(sizes);
 BENCHMARK(steady_cold)->Apply(sizes);
 BENCHMARK(steady_warm)
-    ->ArgNames({"n", "turned"})
+    ->ArgNames({"n", "rotated"})
     ->ArgsProduct({{25, 50, 100, 200}, {0, 1}})
     ->Unit(benchmark::kMicrosecond);
 BENCHMARK(transient_step)->Apply(sizes);

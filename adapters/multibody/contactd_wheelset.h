@@ -46,7 +46,7 @@ static inline int32_t contactd_wheelset_open(contactd_wheelset* of, const char* 
     return code;
 }
 
-/* rotation[3][3], by rows: columns are the wheelset's axes, however far it has turned about its axle. omega: angular
+/* rotation[3][3], by rows: columns are the wheelset's axes, however far it has rotated about its axle. omega: angular
  * velocity. Then force on the wheelset, and moment about its centre. Returns a code of contactd.h. */
 static inline int32_t contactd_wheelset_solve(contactd_wheelset* of, const double place[3], const double rotation[9],
                                               const double velocity[3], const double omega[3], double force[3],

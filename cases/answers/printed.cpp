@@ -146,12 +146,12 @@ geometry::Vector3 on_wheel(const WheelRailState& state, const ProfileFrame& fram
     using geometry::Rotation;
     const Rotation axes = Rotation::yaw_then_roll(state.position.yaw, state.position.roll) *
                           Rotation::yaw_then_roll(state.wheel.yaw, state.wheel.roll);
-    return axes.turned_back({reference.x - frame.x, reference.y - frame.y, reference.z - frame.z});
+    return axes.rotated_back({reference.x - frame.x, reference.y - frame.y, reference.z - frame.z});
 }
 
 geometry::Vector3 on_rail(const ProfileFrame& frame, const ContactReference& reference) {
     return geometry::Rotation::roll(frame.roll)
-        .turned_back({reference.x - frame.x, reference.y - frame.y, reference.z - frame.z});
+        .rotated_back({reference.x - frame.x, reference.y - frame.y, reference.z - frame.z});
 }
 
 std::vector<double> coefficients_at_rest(const WheelRailSetup& setup, const ContactPlace& place) {

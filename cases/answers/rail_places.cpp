@@ -25,7 +25,7 @@ double yaw_of(const Rotation& axes) {
 
 /// Returns the axes `inner` relative to the axes `outer`.
 Rotation seen_by(const Rotation& outer, const Rotation& inner) {
-    return {outer.turned_back(inner.x), outer.turned_back(inner.y), outer.turned_back(inner.z)};
+    return {outer.rotated_back(inner.x), outer.rotated_back(inner.y), outer.rotated_back(inner.z)};
 }
 
 /// Returns the length along the profile from y = 0 (mm).
@@ -97,7 +97,7 @@ std::array<double, 38> location_of(const WheelRailPatch& patch, const RailOutlin
     centre.y *= side;
     centre = contact.outside(centre);
     const Vector3 wheel = frames.wheelset.inside(frames.wheel.origin);
-    const Rotation &axes = frames.wheel.axes, turned = seen_by(frames.wheelset.axes, axes);
+    const Rotation &axes = frames.wheel.axes, rotated = seen_by(frames.wheelset.axes, axes);
     const auto angle = [&](const Frame& frame) { return side * roll_of(seen_by(frame.axes, contact.axes)); };
     return {at.x,
             side * at.y,
@@ -135,8 +135,8 @@ std::array<double, 38> location_of(const WheelRailPatch& patch, const RailOutlin
             wheel.x,
             side * wheel.y,
             wheel.z,
-            side * roll_of(turned),
-            side * yaw_of(turned)};
+            side * roll_of(rotated),
+            side * yaw_of(rotated)};
 }
 
 std::array<double, 24> wrenches_of(const WheelRailForces& forces, const RailFrames& frames) {
@@ -147,12 +147,12 @@ std::array<double, 24> wrenches_of(const WheelRailForces& forces, const RailFram
     const Vector3 in_wheelset = force_of(forces.wheelset);
     const Vector3 wheel = frames.wheelset.inside(frames.wheel.origin);
     const Vector3 about_wheel = moment_of(forces.wheelset) - cross(wheel, in_wheelset);
-    const Rotation turned = seen_by(frames.wheelset.axes, frames.wheel.axes);
+    const Rotation rotated = seen_by(frames.wheelset.axes, frames.wheel.axes);
     std::array<double, 24> values{};
     put(values, 0, mirror.vector(force_of(forces.track)), mirror.moment(frames.rail.axes * about_rail));
     put(values, 6, mirror.vector(in_wheelset), mirror.moment(about_wheel));
     put(values, 12, mirror.vector(in_rail), mirror.moment(about_rail));
-    put(values, 18, mirror.vector(turned.turned_back(in_wheelset)), mirror.moment(turned.turned_back(about_wheel)));
+    put(values, 18, mirror.vector(rotated.rotated_back(in_wheelset)), mirror.moment(rotated.rotated_back(about_wheel)));
     return values;
 }
 

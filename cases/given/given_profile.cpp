@@ -69,7 +69,7 @@ bool runs_upwards(const std::vector<ProfilePoint>& points, bool wheel) {
 }
 
 /// Sets mirror_z for points whose shape does not show the direction of z.
-ProfileSpec turned(ProfileSpec spec, bool wheel) {
+ProfileSpec with_mirror_z(ProfileSpec spec, bool wheel) {
     ProfileFile& file = std::get<ProfileFile>(spec.shape);
     if (file.mirror_z) return spec;
     try {
@@ -111,7 +111,7 @@ ProfileSpec spec_of(std::string name, std::string text, bool wheel, const Profil
     file.kinks = options.kinks;
     ProfileSpec spec{kind_of(wheel), std::move(file)};
     validate(spec);
-    return turned(std::move(spec), wheel);
+    return with_mirror_z(std::move(spec), wheel);
 }
 
 std::string last_part(const std::string& name) {

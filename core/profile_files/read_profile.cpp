@@ -100,7 +100,7 @@ void check_order(const std::vector<ProfilePoint>& points, double unit) {
 }
 
 /// Which way z points where the file does not say it.
-bool turned_by_shape(const std::vector<ProfilePoint>& points, double unit, ProfileKind kind) {
+bool mirrored_by_shape(const std::vector<ProfilePoint>& points, double unit, ProfileKind kind) {
     std::vector<ProfilePoint> in_mm = points;
     for (ProfilePoint& point : in_mm) point = {point.y * unit, point.z * unit};
     const std::optional<bool> upwards = geometry::points_upwards(in_mm, kind);
@@ -133,7 +133,7 @@ PointsOfFile points_of_content(const ProfileFile& file, const std::string& name,
         reading.oriented_by = file.mirror_z ? OrientedBy::request : OrientedBy::file;
     } else {
         check_order(points, reading.unit);
-        reading.mirror_z = turned_by_shape(points, reading.unit, kind);
+        reading.mirror_z = mirrored_by_shape(points, reading.unit, kind);
         reading.oriented_by = OrientedBy::shape;
     }
     result.rounded_to = reading.unit * geometry::rounding_of(points);

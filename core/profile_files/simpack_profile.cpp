@@ -63,10 +63,10 @@ std::vector<ProfilePoint> processed(const std::vector<ProfilePoint>& read, const
     std::vector<ProfilePoint> points;
     for (const auto& [y, z] : read) {
         const ProfilePoint shifted{y + of("shift.y"), z + of("shift.z")};
-        const ProfilePoint turned{std::cos(angle) * shifted.y - std::sin(angle) * shifted.z,
-                                  std::sin(angle) * shifted.y + std::cos(angle) * shifted.z};
-        if (within(turned.y, "bound.y.min", "bound.y.max") && within(turned.z, "bound.z.min", "bound.z.max"))
-            points.push_back(turned);
+        const ProfilePoint rotated{std::cos(angle) * shifted.y - std::sin(angle) * shifted.z,
+                                   std::sin(angle) * shifted.y + std::cos(angle) * shifted.z};
+        if (within(rotated.y, "bound.y.min", "bound.y.max") && within(rotated.z, "bound.z.min", "bound.z.max"))
+            points.push_back(rotated);
     }
     return points;
 }

@@ -53,19 +53,19 @@ bool is_on_wire(std::string_view field) {
     return field.starts_with("ics") || field.starts_with("grid") || field.starts_with("material");
 }
 
-double turned(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
+double signed_area(const PlanePoint& a, const PlanePoint& b, const PlanePoint& c) {
     return ((b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y)) / 2;
 }
 
-/// The triangles are as large as what the outline encloses, none of them turned: they cover it once.
+/// The triangles are as large as what the outline encloses, none of them inverted: they cover it once.
 void check_cover(const DividedOutline& outline, const Triangulation& filled) {
     const PlanePoint origin = outline.vertices.front();
     double enclosed = 0, covered = 0;
     for (const BoundaryEdge& edge : outline.edges)
-        enclosed -= turned(origin, outline.vertices[edge.first], outline.vertices[edge.second]);
+        enclosed -= signed_area(origin, outline.vertices[edge.first], outline.vertices[edge.second]);
     for (const auto& [a, b, c] : filled.triangles) {
-        const double area = turned(filled.vertices[a], filled.vertices[b], filled.vertices[c]);
-        fuzz::require(area > 0, "triangles are not turned");
+        const double area = signed_area(filled.vertices[a], filled.vertices[b], filled.vertices[c]);
+        fuzz::require(area > 0, "triangles are not inverted");
         covered += area;
     }
     const double rounding = 1e-9 * outline.extent * outline.extent;

@@ -203,14 +203,14 @@ def test_rolling_has_its_forces_power_and_slip(shared):
     assert solution.motion.dq == ROLLING.grid.dx
 
 
-def test_a_slender_contact_turned_by_a_right_angle_has_the_same_force(shared):
+def test_a_slender_contact_rotated_by_a_right_angle_has_the_same_force(shared):
     along = ROLLING.replace(grid=Grid.centred(25, 25, 13.2, 1.32), gap=SemiAxes(6, 0.6))
-    turned = along.replace(
+    rotated = along.replace(
         grid=Grid.centred(25, 25, 1.32, 13.2),
         gap=SemiAxes(0.6, 6),
         friction=Friction(0.3, rolling=Rolling(eta=5e-4, chi=np.pi / 2)),
     )
-    assert shared.solve(turned).Fy == pytest.approx(shared.solve(along).Fx, rel=1e-5)
+    assert shared.solve(rotated).Fy == pytest.approx(shared.solve(along).Fx, rel=1e-5)
 
 
 def test_a_step_far_above_the_contact_is_warned_of(shared):
@@ -241,9 +241,9 @@ def test_the_creepages_of_forces_are_found(shared):
 
 def test_rolling_the_other_way_turns_the_solution(shared):
     ahead = shared.solve(ROLLING)
-    turned = shared.solve(ROLLING.replace(friction=Friction(0.3, rolling=Rolling(xi=5e-4, chi=np.pi, velocity=20_000))))
-    assert turned.Fx == pytest.approx(ahead.Fx, rel=1e-3)
-    np.testing.assert_allclose(turned.traction_x[:, ::-1], ahead.traction_x, atol=1e-3 * ahead.pmax)
+    rotated = shared.solve(ROLLING.replace(friction=Friction(0.3, rolling=Rolling(xi=5e-4, chi=np.pi, velocity=20_000))))
+    assert rotated.Fx == pytest.approx(ahead.Fx, rel=1e-3)
+    np.testing.assert_allclose(rotated.traction_x[:, ::-1], ahead.traction_x, atol=1e-3 * ahead.pmax)
 
 
 def test_transient_rolling_reaches_the_steady_state(shared):

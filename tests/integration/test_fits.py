@@ -127,7 +127,7 @@ def test_derivatives_of_the_daemon_are_those_of_the_curve(shared):
             np.testing.assert_allclose(known, (up - down) / (2 * step[index]), rtol=2e-3, atol=1e-3 * np.abs(known).max())
 
 
-def test_a_value_that_the_daemon_refuses_is_turned_back_from(shared):
+def test_a_value_that_the_daemon_refuses_is_avoided(shared):
     """The kinetic coefficient may not be above the static one, which bounds alone do not say."""
     law = KineticFriction(0.2, 90, memory=FrictionMemory(0.02, 1))
     measured = curve(shared, lambda motion: problem(Friction(0.3, rolling=motion, kinetic=law)))

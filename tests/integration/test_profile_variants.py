@@ -78,9 +78,9 @@ def variants(kind: str, points: Any) -> Iterator[Variant]:
     yield Variant("Simpack, reversed", spline, simpack(kind, rows(points[::-1])))
     yield Variant("Simpack that says mirror.z", spline, simpack(kind, rows(up), "units.len.f = 1000\nmirror.z = 1\n"))
     yield Variant("Simpack that lies about z", spline, simpack(kind, rows(up)), **wrong)
-    yield Variant("Simpack, turned by the request", spline, simpack(kind, rows(up)), {"mirror_z": True})
-    yield Variant("columns, turned by the request", ".txt", rows(up), {"mirror_z": True})
-    yield Variant("columns, turned wrongly", ".txt", rows(points), {"mirror_z": True}, **wrong)
+    yield Variant("Simpack, mirrored by the request", spline, simpack(kind, rows(up)), {"mirror_z": True})
+    yield Variant("columns, mirrored by the request", ".txt", rows(up), {"mirror_z": True})
+    yield Variant("columns, mirrored wrongly", ".txt", rows(points), {"mirror_z": True}, **wrong)
     # Sides: a flange says where it is, a rail's head does not.
     other = {"refusal": ("mirror_y",)} if kind == "wheel" else {"points": aside}
     yield Variant("columns, mirrored", ".txt", rows(aside), **other)

@@ -116,9 +116,9 @@ def test_a_curved_section_needs_its_strips(shared):
     solution = shared.solve(**problem, gap=gap, columns=ContactColumns(frames))
     assert solution.converged
     assert solution.resultant.Fz == pytest.approx(1000, rel=1e-6)
-    turned = frames * [1, 1, 1.01]
+    rotated = frames * [1, 1, 1.01]
     with pytest.raises(InvalidArgument, match=r"columns.frames\[\d+\]"):
-        shared.solve(**problem, gap=gap, columns=ContactColumns(turned))
+        shared.solve(**problem, gap=gap, columns=ContactColumns(rotated))
 
 
 def test_what_only_half_spaces_have_is_refused_of_uniform_bodies(shared):
@@ -127,7 +127,7 @@ def test_what_only_half_spaces_have_is_refused_of_uniform_bodies(shared):
         shared.solve(grid=GRID, gap=Paraboloid(50, 50), upper=STEEL, Fn=1000, lower_ics=ics, model="hertz")
 
 
-def test_half_spaces_that_are_turned_are_the_half_space_on_a_plane(shared):
+def test_half_spaces_that_are_rotated_are_the_half_space_on_a_plane(shared):
     table = shared.get_ic(STEEL, GRID, AnalyticIcs(body="longitudinally_uniform", section=EDGE))
     flat = shared.get_ic(STEEL, GRID, AnalyticIcs())
     assert table.origin in ("closed_form", "memory")

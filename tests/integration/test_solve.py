@@ -152,9 +152,9 @@ def test_without_friction_nothing_holds_the_contact(shared):
 
 
 def test_a_shift_the_other_way_turns_the_traction(shared, solution):
-    turned = shared.solve(CATTANEO.replace(friction=Friction(0.4, (0, -0.00817))))
-    assert turned.Fy == pytest.approx(-solution.Fx, rel=1e-5)
-    np.testing.assert_allclose(turned.traction_y.T, -solution.traction_x, rtol=1e-3, atol=1e-3)
+    rotated = shared.solve(CATTANEO.replace(friction=Friction(0.4, (0, -0.00817))))
+    assert rotated.Fy == pytest.approx(-solution.Fx, rel=1e-5)
+    np.testing.assert_allclose(rotated.traction_y.T, -solution.traction_x, rtol=1e-3, atol=1e-3)
 
 
 def test_a_large_shift_slips_everywhere(shared):

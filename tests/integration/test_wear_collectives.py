@@ -75,8 +75,8 @@ def test_what_auto_takes_off_is_near_the_finest(shared):
     assert found["as given"].area == pytest.approx(1, abs=0.03)
 
 
-def test_a_turned_collective_wears_a_symmetric_wheelset(shared):
+def test_a_mirrored_collective_wears_a_symmetric_wheelset(shared):
     study = WearStudy(WheelRailSetup(dx=0.8, dy=0.8), straight(4), "wheel", ENERGY, until=50, depth=0.05, symmetric=True)
-    turned = replace(study, states=[mirrored(one) for one in study.states])
-    one, other = list(evolve(shared, study))[-1], list(evolve(shared, turned))[-1]
+    image = replace(study, states=[mirrored(one) for one in study.states])
+    one, other = list(evolve(shared, study))[-1], list(evolve(shared, image))[-1]
     np.testing.assert_allclose(one.points, other.points, atol=1e-12)

@@ -36,12 +36,12 @@ IcTable half_space(const ContactProblem& problem, const Body& body, int nx, cons
 /// Returns how much products may change a coefficient, over zz of half-spaces under an element: a thousandth of the
 /// error of the tables of longitudinally uniform bodies. It is zero for given tables, which may be exact.
 double negligible(const Bodies& bodies) {
-    constexpr double of_error = 1e-3, of_turned_half_spaces = 1e-3;
+    constexpr double of_error = 1e-3, of_rotated_half_spaces = 1e-3;
     double error = 0;
     for (const Body* body : {&bodies.upper, &bodies.lower}) {
         if (body->section() == nullptr) continue;
         const Ics& ics = *body->computed();
-        const double own = ics.source == IcSource::fem && ics.accuracy > 0 ? ics.accuracy : of_turned_half_spaces;
+        const double own = ics.source == IcSource::fem && ics.accuracy > 0 ? ics.accuracy : of_rotated_half_spaces;
         error = error == 0 ? own : std::min(error, own);
     }
     return of_error * error;

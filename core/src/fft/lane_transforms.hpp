@@ -154,10 +154,10 @@ class Transforms final : public LaneFft {
     }
     void spread(double* x, double* y, const double* of_x, const double* of_y) const override {
         for_columns(x, y, [=](Column& a, Column& b, std::size_t at) {
-            const Column turned(-a.i, a.r);
+            const Column rotated(-a.i, a.r);
             const Lanes s = load(of_x + at), t = load(of_y + at);
-            a = Column(s * turned.r, s * turned.i);
-            b = Column(t * turned.r, t * turned.i);
+            a = Column(s * rotated.r, s * rotated.i);
+            b = Column(t * rotated.r, t * rotated.i);
         });
     }
     void spread(double* x, double* y, const ComplexFactor& of_x, const ComplexFactor& of_y) const override {

@@ -42,11 +42,11 @@ double of(const Block& block, const Component& component) {
 /// x reverses the sign of odd functions of x, and displacements from tractions along x reverse it again.
 Block half_space(const KernelIntegrals& k, double nu, bool transform) {
     const double yx = nu * k.xy / (2 * pi), xz = (1 - 2 * nu) * k.x / (4 * pi), yz = (1 - 2 * nu) * k.y / (4 * pi);
-    const double turned = transform ? -1 : 1;
+    const double sign = transform ? -1 : 1;
     Block block;
-    block << (k.xx + (1 - nu) * k.yy) / (2 * pi), yx, xz,      //
-        turned * yx, (k.yy + (1 - nu) * k.xx) / (2 * pi), yz,  //
-        -turned * xz, -yz, (1 - nu) * (k.xx + k.yy) / (2 * pi);
+    block << (k.xx + (1 - nu) * k.yy) / (2 * pi), yx, xz,    //
+        sign * yx, (k.yy + (1 - nu) * k.xx) / (2 * pi), yz,  //
+        -sign * xz, -yz, (1 - nu) * (k.xx + k.yy) / (2 * pi);
     return block;
 }
 
@@ -59,9 +59,9 @@ class HalfAngleRotation {
     }
     Block operator()(const Block& flat) const { return half_ * flat * half_; }
     /// Returns the share of a flat component in a rotated one.
-    double share(const Component& turned, const Component& flat) const {
-        return half_(static_cast<int>(turned.i), static_cast<int>(flat.i)) *
-               half_(static_cast<int>(flat.j), static_cast<int>(turned.j));
+    double share(const Component& rotated, const Component& flat) const {
+        return half_(static_cast<int>(rotated.i), static_cast<int>(flat.i)) *
+               half_(static_cast<int>(flat.j), static_cast<int>(rotated.j));
     }
 
    private:
@@ -167,8 +167,8 @@ class TableMaker {
         return half_space(screened_transforms(spectrum_.nodes[node], spectrum_.xi0, l), spectrum_.nu, true);
     }
     /// Returns the transforms at a node, minus those of the screened half-space, rotated.
-    Block difference(std::size_t node, int I, int J, const Block& turned) const {
-        Block block = -turned;
+    Block difference(std::size_t node, int I, int J, const Block& rotated) const {
+        Block block = -rotated;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) block(i, j) += spectrum_.values[spectrum_.index(node, 3 * I + i, 3 * J + j)];
         return block;

@@ -55,12 +55,12 @@ std::vector<std::string> plausibility_warnings(const ContactReference& reference
             name_of(reference, side) +
             " lies at the tip or the back of the wheel's flange, which normally does not touch a rail. Check the "
             "wheel's orientation (mirror_y, mirror_z), flange_back_position, the gauge and position.y.");
-    const auto normal = rail.frame().axes.turned_back({0, std::cos(reference.angle), std::sin(reference.angle)});
-    const double turned = std::atan2(normal.z, normal.y);
-    if (std::abs(turned) > steepest_head)
+    const auto normal = rail.frame().axes.rotated_back({0, std::cos(reference.angle), std::sin(reference.angle)});
+    const double rotated = std::atan2(normal.z, normal.y);
+    if (std::abs(rotated) > steepest_head)
         warnings.push_back(name_of(reference, side) +
                            " lies beside the rail's head, where its surface is inclined by " +
-                           short_text(std::abs(turned)) +
+                           short_text(std::abs(rotated)) +
                            " rad. Check the rail's orientation and position, the gauge and position.y.");
     return warnings;
 }

@@ -90,8 +90,8 @@ Sum of_rows(const ContactPlace& place, const ContactSolution& solution, const Fo
 
 /// Returns a force at a point and its moment about it, given in the track, in the axes of a frame.
 Wrench seen_from(const Frame& frame, const Vector3& point, const Vector3& force, const Vector3& about) {
-    const Vector3 f = frame.axes.turned_back(force);
-    const Vector3 m = frame.axes.turned_back(about + cross(point - frame.origin, force));
+    const Vector3 f = frame.axes.rotated_back(force);
+    const Vector3 m = frame.axes.rotated_back(about + cross(point - frame.origin, force));
     return {f.x, f.y, f.z, m.x, m.y, m.z};
 }
 

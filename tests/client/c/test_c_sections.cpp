@@ -135,7 +135,7 @@ TEST_CASE("Sections are solved alike in process and behind a daemon", "[c]") {
         {"disc", ready_made("disc", {{"radius", 25}, {"core", 2}})},
         {"hole", ready_made("plate_hole", {{"radius", 25}, {"plate_radius", 200}})},
         {"slab", ready_made("slab", {{"thickness", 5}, {"width", 50}})},
-        {"half the size, turned",
+        {"half the size, rotated",
          [](contactd_contact* c) {
              ready_made("groove", {{"radius", 40}, {"depth", 40}, {"width", 240}, {"height", 140}})(c);
              set(c, {{section_path + ".size", 0.5}, {section_path + ".turn", 0.1}});

@@ -44,7 +44,7 @@ def test_force_and_approach_belong_together() -> None:
     assert by_approach.a1 == pytest.approx(by_force.a1, rel=1e-12)
 
 
-def test_turned_by_a_right_angle_it_is_the_same() -> None:
+def test_rotated_by_a_right_angle_it_is_the_same() -> None:
     load = Load(5e4, True, STEEL)
     one, other = ellipse_of_axes(6, 3, load), ellipse_of_axes(3, 6, load)
     assert (one.a1, one.b1, one.approach) == pytest.approx((other.b1, other.a1, other.approach), rel=1e-12)

@@ -207,7 +207,7 @@ TEST_CASE("The mirror image of rolling has the mirror image of forces", "[elemen
     CHECK_THAT(other.Mz, WithinRel(-one.Mz, 1e-12) || WithinAbs(0, 0));
 }
 
-TEST_CASE("Rolling backwards is rolling that is turned by half a turn", "[elements]") {
+TEST_CASE("Rolling backwards is rolling that is rotated by half a turn", "[elements]") {
     const Model model = GENERATE(Model::fastsim, Model::fastrip, Model::polach);
     ContactProblem problem = rolling_ellipse(model, {6, 4}, 5e4, {0.001, 5e-4, 1e-4}, 66, 44);
     const Forces one = solved(problem).forces;

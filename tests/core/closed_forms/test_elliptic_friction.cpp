@@ -139,10 +139,10 @@ TEST_CASE("nothing jumps where the last adhesion ends", "[elliptic]") {
 }
 
 TEST_CASE("closed forms refuse what they do not know", "[elliptic]") {
-    Shift turned, strong;
-    turned.rotation = 0.01;
+    Shift rotated, strong;
+    rotated.rotation = 0.01;
     strong.force.Fy = -1.01 * bound;
-    CHECK_THROWS_AS(cattaneo_mindlin(window(5), ellipse, mu, turned), InvalidArgument);
+    CHECK_THROWS_AS(cattaneo_mindlin(window(5), ellipse, mu, rotated), InvalidArgument);
     CHECK_THROWS_AS(cattaneo_mindlin(window(5), ellipse, mu, strong), InvalidArgument);
     Rolling spinning, oblique;
     spinning.phi = 0.01;

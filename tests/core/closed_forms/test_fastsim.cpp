@@ -126,9 +126,9 @@ TEST_CASE("FASTSIM settles with finer steps", "[fastsim]") {
 }
 
 TEST_CASE("FASTSIM does not mind how the axes are named", "[fastsim]") {
-    const EllipticContact turned{{4, 6}, 50000, steel};
+    const EllipticContact rotated{{4, 6}, 50000, steel};
     const auto along_x = fastsim(window(contact, 12), contact, mu, rolling(0.001, 0.0005, 1e-4));
-    const auto along_y = fastsim(window(turned, 12), turned, mu, rolling(-0.0005, 0.001, 1e-4, pi / 2));
+    const auto along_y = fastsim(window(rotated, 12), rotated, mu, rolling(-0.0005, 0.001, 1e-4, pi / 2));
     CHECK_THAT(along_y.Fy, WithinRel(along_x.Fx, 1e-12));
     CHECK_THAT(along_y.Fx, WithinRel(-along_x.Fy, 1e-12));
     CHECK_THAT(along_y.Mz, WithinRel(along_x.Mz, 1e-12));

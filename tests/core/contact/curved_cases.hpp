@@ -31,10 +31,10 @@ inline std::vector<StripFrame> flat_frames(const Grid& grid, double angle, Secti
     return frames;
 }
 
-/// Both bodies turned half-spaces on the frames of the problem, made reciprocal.
-inline StripTable turned_pair(const ContactProblem& problem, int more_offsets = 1) {
+/// Both bodies rotated half-spaces on the frames of the problem, made reciprocal.
+inline StripTable rotated_pair(const ContactProblem& problem, int more_offsets = 1) {
     const Grid& grid = problem.grid;
-    // The upper body's own frames, in its order of travel: it is turned by pi about x, and so are they.
+    // The upper body's own frames, in its order of travel: it is rotated by pi about x, and so are they.
     std::vector<StripFrame> opposite(problem.columns->frames.rbegin(), problem.columns->frames.rend());
     for (StripFrame& frame : opposite) frame = {-frame.y, -frame.z, frame.angle};
     const auto table = [&](const std::vector<StripFrame>& frames, const Material& material) {

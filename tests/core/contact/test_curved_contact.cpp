@@ -121,7 +121,7 @@ TEST_CASE("on strips of a plane, whichever way it lies, contact is that of the p
     problem.columns = ContactColumns{flat_frames(problem.grid, angle, origin), angle, origin};
     const ContactSolution solution = solve_strips(problem, strip_table_of(pair_table(problem)));
     check_same(solution, plane);
-    // The resultant is that of the plane's axes, turned.
+    // The resultant is that of the plane's axes, rotated.
     REQUIRE(solution.resultant);
     const Resultant& all = *solution.resultant;
     const double s = std::sin(angle), c = std::cos(angle), unit = 1e-6 * plane.forces.Fn;
@@ -132,13 +132,13 @@ TEST_CASE("on strips of a plane, whichever way it lies, contact is that of the p
     CHECK_FALSE(plane.resultant);
 }
 
-TEST_CASE("an arc turned as a whole with its approach has the same contact", "[contact][curved]") {
+TEST_CASE("an arc rotated as a whole with its approach has the same contact", "[contact][curved]") {
     ContactProblem problem = ellipse();
     add_motion(problem, GENERATE(0, 1, 2));
     const auto solved = [&](double turn) {
         const SectionPoint centre{2 * std::sin(turn), 2 * std::cos(turn)};
         problem.columns = ContactColumns{arc_frames(problem.grid.ny, problem.grid.dy, 5, turn), turn + 0.2, centre};
-        return solve_strips(problem, turned_pair(problem));
+        return solve_strips(problem, rotated_pair(problem));
     };
     check_same(solved(1.1), solved(0));
 }
@@ -152,8 +152,8 @@ TEST_CASE("the mirror image of a curved contact is the contact of the mirror ima
     auto& rolling = std::get<Rolling>(image.motion);
     rolling.eta *= -1;
     rolling.phi *= -1;
-    const ContactSolution solution = solve_strips(problem, turned_pair(problem));
-    const ContactSolution mirrored = solve_strips(image, turned_pair(image));
+    const ContactSolution solution = solve_strips(problem, rotated_pair(problem));
+    const ContactSolution mirrored = solve_strips(image, rotated_pair(image));
     const Grid& grid = problem.grid;
     REQUIRE(solution.converged());
     for (int iy = 0; iy < grid.ny; ++iy)
@@ -173,7 +173,7 @@ TEST_CASE("the mirror image of a curved contact is the contact of the mirror ima
 TEST_CASE("without friction the resultant of a symmetric groove is along its approach", "[contact][curved]") {
     ContactProblem problem = ellipse();
     problem.columns = ContactColumns{arc_frames(13, problem.grid.dy, -3), 0, {0, 1}};
-    const ContactSolution solution = solve_strips(problem, turned_pair(problem));
+    const ContactSolution solution = solve_strips(problem, rotated_pair(problem));
     const Resultant& all = *solution.resultant;
     CHECK_THAT(all.Fz, WithinRel(50, 1e-8));
     CHECK_THAT(all.Fy, WithinAbs(0, 1e-6));
@@ -186,22 +186,22 @@ TEST_CASE("pressures on a cylinder have no moment about its axis", "[contact][cu
     ContactProblem problem = ellipse();
     const SectionPoint axis{1, -2};
     problem.columns = ContactColumns{arc_frames(13, problem.grid.dy, 3, 0.3, axis), -0.2, axis};
-    const Resultant all = *solve_strips(problem, turned_pair(problem)).resultant;
+    const Resultant all = *solve_strips(problem, rotated_pair(problem)).resultant;
     CHECK(std::abs(all.Fy) > 1);
     CHECK_THAT(all.Mx, WithinAbs(0, 1e-10));
     // About a point that lies 2 to the left and 1 below, it is that of the force.
     problem.columns->origin = {-1, -3};
-    CHECK_THAT(solve_strips(problem, turned_pair(problem)).resultant->Mx, WithinAbs(2 * all.Fz - 1 * all.Fy, 1e-9));
+    CHECK_THAT(solve_strips(problem, rotated_pair(problem)).resultant->Mx, WithinAbs(2 * all.Fz - 1 * all.Fy, 1e-9));
 }
 
-TEST_CASE("turned half-spaces in a groove carry less pressure than plane ones with the same frames",
+TEST_CASE("rotated half-spaces in a groove carry less pressure than plane ones with the same frames",
           "[contact][curved]") {
-    // The section of a roller, R10, in a groove: reference largest pressures (turned, plane) of 10 kN by a prototype of
-    // another make. How the roller curves along x is not told with them, and hardly matters to their ratio.
+    // The section of a roller, R10, in a groove: reference largest pressures (rotated, plane) of 10 kN by a prototype
+    // of another make. How the roller curves along x is not told with them, and hardly matters to their ratio.
     struct Reference {
-        double groove, turned, plane;
+        double groove, rotated, plane;
     };
-    const auto [groove, turned, plane] =
+    const auto [groove, rotated, plane] =
         GENERATE(Reference{10.25, 533.5, 537.7}, Reference{10.1, 409.7, 414.1}, Reference{10.02, 295.4, 301.3});
     CAPTURE(groove);
     constexpr double roller = 10, along_x = 460;
@@ -220,15 +220,15 @@ TEST_CASE("turned half-spaces in a groove carry less pressure than plane ones wi
         }
     problem.gap = gap;
     problem.Fn = 10000;
-    const double ratio = solve_strips(problem, turned_pair(problem)).pmax / solve_half_spaces(problem).pmax;
-    CHECK_THAT(ratio, WithinAbs(turned / plane, 1e-3));
+    const double ratio = solve_strips(problem, rotated_pair(problem)).pmax / solve_half_spaces(problem).pmax;
+    CHECK_THAT(ratio, WithinAbs(rotated / plane, 1e-3));
 }
 
 TEST_CASE("random curved contacts obey their equations", "[contact][curved][random]") {
     for (unsigned seed = 0; seed < 120; ++seed) {
         CAPTURE(seed);
         const ContactProblem problem = random_contact(seed);
-        const StripTable table = turned_pair(problem);
+        const StripTable table = rotated_pair(problem);
         const ContactSolution solution = solve_strips(problem, table);
         REQUIRE(solution.converged());
         check_normal_contact(problem, table, solution, 1e-7);

@@ -69,17 +69,17 @@ TEST_CASE("a step that is left out is the size of an element along the rolling d
     CHECK(step_length(Rolling{.chi = chi, .dq = 0.7}, grid) == 0.7);
 }
 
-TEST_CASE("a slender contact and its motion turned by a right angle have the same forces", "[discretisation]") {
+TEST_CASE("a slender contact and its motion rotated by a right angle have the same forces", "[discretisation]") {
     const auto along = solve_half_spaces(rolling_ellipse(6, 0.6, 20, Rolling{.xi = 1e-3, .eta = 4e-4, .phi = 1e-3}));
-    const auto turned =
+    const auto rotated =
         solve_half_spaces(rolling_ellipse(0.6, 6, 20, Rolling{.xi = -4e-4, .eta = 1e-3, .phi = 1e-3, .chi = pi / 2}));
     REQUIRE(along.converged());
-    REQUIRE(turned.converged());
-    CHECK_THAT(turned.forces.Fy, WithinRel(along.forces.Fx, 1e-5));
-    CHECK_THAT(turned.forces.Fx, WithinRel(-along.forces.Fy, 1e-5));
-    CHECK_THAT(turned.forces.Mz, WithinRel(along.forces.Mz, 1e-4));
-    CHECK_THAT(*turned.frictional_power, WithinRel(*along.frictional_power, 1e-4));
-    CHECK(turned.elements.slip == along.elements.slip);
+    REQUIRE(rotated.converged());
+    CHECK_THAT(rotated.forces.Fy, WithinRel(along.forces.Fx, 1e-5));
+    CHECK_THAT(rotated.forces.Fx, WithinRel(-along.forces.Fy, 1e-5));
+    CHECK_THAT(rotated.forces.Mz, WithinRel(along.forces.Mz, 1e-4));
+    CHECK_THAT(*rotated.frictional_power, WithinRel(*along.frictional_power, 1e-4));
+    CHECK(rotated.elements.slip == along.elements.slip);
 }
 
 TEST_CASE("a step far above the elements or the contact is warned of", "[discretisation]") {
@@ -313,9 +313,9 @@ TEST_CASE("spin evaluated ahead or at the centres has one limit, to which ahead 
 
 TEST_CASE("a rotation of a shift is about the element centres whatever rolling does", "[discretisation]") {
     const Grid grid = Grid::of_elements(3, 2, 1, 1);
-    const RigidSlip turned = rigid_slip(grid, Shift{.rigid_shift = {.x = 0.5}, .rotation = 0.1});
-    CHECK_THAT(turned.x[0], WithinAbs(0.5 - 0.1 * grid.y(0), 1e-15));
-    CHECK_THAT(turned.y[0], WithinAbs(0.1 * grid.x(0), 1e-15));
+    const RigidSlip rotated = rigid_slip(grid, Shift{.rigid_shift = {.x = 0.5}, .rotation = 0.1});
+    CHECK_THAT(rotated.x[0], WithinAbs(0.5 - 0.1 * grid.y(0), 1e-15));
+    CHECK_THAT(rotated.y[0], WithinAbs(0.1 * grid.x(0), 1e-15));
 }
 
 TEST_CASE("an offset of spin outside of a step is refused", "[discretisation]") {

@@ -163,7 +163,7 @@ TEST_CASE("outer iterations of layers, curved strips and bodies that creep end a
         problem.columns = ContactColumns{arc_frames(problem.grid.ny, problem.grid.dy, -5), 0, {}};
         problem.motion = hauled(GENERATE(0, 1));
         allow(problem, limit);
-        check_last_iteration(problem, solve_strips(problem, turned_pair(problem)));
+        check_last_iteration(problem, solve_strips(problem, rotated_pair(problem)));
     }
     SECTION("bodies that creep, one of them") {
         ContactProblem problem = dissimilar();

@@ -113,7 +113,7 @@ TEST_CASE("spin alone pushes against the lateral slip of the leading edge", "[ro
     CHECK_THAT(forces.Fx, WithinAbs(0, 1e-5 * std::abs(forces.Fy)));
 }
 
-TEST_CASE("rolling problems turned by a right angle have the same solution, turned", "[rolling]") {
+TEST_CASE("rolling problems rotated by a right angle have the same solution, rotated", "[rolling]") {
     const Grid grid = window(15, 11, 0.6);
     RollingCase along(grid, material, 3, 0, grid.dx);
     along.set(0.002, 0.001, 0.002);

@@ -96,7 +96,7 @@ TEST_CASE("bodies that do not touch carry nothing", "[contact]") {
     CHECK(solution.elements.contact == 0);
 }
 
-TEST_CASE("a shift along y is a shift along x turned", "[contact]") {
+TEST_CASE("a shift along y is a shift along x rotated", "[contact]") {
     ContactProblem problem = cattaneo_problem(21);
     problem.grid = Grid::of_elements(21, 33, 0.11, 0.08);
     problem.gap = Paraboloid{40, 60};

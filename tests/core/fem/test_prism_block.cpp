@@ -75,7 +75,7 @@ TEST_CASE("Prisms are as many as the paper's rule makes", "[fem][mesh][prism]") 
     CHECK(mfem::FiniteElementSpace(&block.mesh, &elements, 3).GetTrueVSize() == row.dofs);
 }
 
-TEST_CASE("Prisms fill the block and none is turned inside out", "[fem][mesh][prism]") {
+TEST_CASE("Prisms fill the block and none is inverted", "[fem][mesh][prism]") {
     const auto diagonal = GENERATE(Diagonal::outward, Diagonal::across);
     const IcSpec spec = uniform_spec(1, GENERATE(0.25, 1.0, 4.0), diagonal);
     BlockMesh block = make_prism_block(spec);

@@ -53,12 +53,12 @@ TEST_CASE("Rotated half-spaces differ from finite elements far from an edge by l
     const auto computed = std::get<StripTable>(body_table(build(spec), spec));
     spec.source = IcSource::analytic;
     spec.accuracy = 0;
-    const auto turned = std::get<StripTable>(body_table(closed_form_record(spec), spec));
-    REQUIRE(computed.values.size() == turned.values.size());
+    const auto rotated = std::get<StripTable>(body_table(closed_form_record(spec), spec));
+    REQUIRE(computed.values.size() == rotated.values.size());
     double largest = 0;
-    for (std::size_t i = 0; i < turned.values.size(); ++i)
-        largest = std::max(largest, std::abs(computed.values[i] - turned.values[i]));
-    CHECK(largest < 1e-2 * turned(Axis::z, Axis::z, 0, 0, 0));
+    for (std::size_t i = 0; i < rotated.values.size(); ++i)
+        largest = std::max(largest, std::abs(computed.values[i] - rotated.values[i]));
+    CHECK(largest < 1e-2 * rotated(Axis::z, Axis::z, 0, 0, 0));
 }
 
 TEST_CASE("A rail clamped at its foot comes with a warning", "[uniform]") {

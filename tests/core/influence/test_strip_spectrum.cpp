@@ -66,7 +66,7 @@ TEST_CASE("A table beyond a double's range is not made, whichever thread meets i
     }
 }
 
-TEST_CASE("The transform of the screened half-space is turned into the screened half-space", "[strips]") {
+TEST_CASE("The transform of the screened half-space becomes the screened half-space", "[strips]") {
     const int strips = 4, nx = 12;
     const double dx = 0.7;
     const StripTable table = strip_table(flat_spectrum(strips, 9), dx, nx);

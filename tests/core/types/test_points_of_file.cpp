@@ -71,7 +71,7 @@ constexpr auto wheel = ProfileKind::wheel, rail = ProfileKind::rail;
 
 }  // namespace
 
-TEST_CASE("the points of a file are turned as their shape asks for, and evidence says so", "[profile]") {
+TEST_CASE("the points of a file are mirrored as their shape asks for, and evidence says so", "[profile]") {
     const auto kind = GENERATE(wheel, rail);
     const double sense = GENERATE(1.0, -1.0);
     const std::string name = GENERATE("points.csv", "measured", "old");
@@ -98,11 +98,11 @@ TEST_CASE("what is said beside a file holds after what it says itself", "[profil
         const ProfileFile file{.name = "a.prr", .text = simpack(rail, keys, -1)};
         is_exact(file, rail);
         CHECK(reading_of(file, rail) == ProfileReading{ProfileFormat::simpack, 1, true, true, OrientedBy::file, 1});
-        ProfileFile turned = file;
-        turned.mirror_y = true;
-        CHECK_FALSE(reading_of(turned, rail).mirror_y);
-        turned.mirror_z = true;
-        refused(turned, rail, "profile.file", "change mirror_z");
+        ProfileFile mirrored = file;
+        mirrored.mirror_y = true;
+        CHECK_FALSE(reading_of(mirrored, rail).mirror_y);
+        mirrored.mirror_z = true;
+        refused(mirrored, rail, "profile.file", "change mirror_z");
     }
 }
 

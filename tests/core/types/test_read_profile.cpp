@@ -127,15 +127,15 @@ TEST_CASE("heads of MiniProf of all years are read", "[profile]") {
 TEST_CASE("which way z points is seen by the shape, where the file does not say it", "[profile]") {
     const std::string ending = GENERATE("whl", "ban", "txt");
     const auto kind = ending == "ban" ? ProfileKind::rail : ProfileKind::wheel;
-    std::string text = file_text(ending), turned;
+    std::string text = file_text(ending), image;
     const std::size_t points = text.find("\n\n") == text.npos ? text.find('\n') + 1 : text.find("\n\n") + 2;
     std::istringstream lines(text.substr(points));
-    turned = text.substr(0, points);
+    image = text.substr(0, points);
     for (double y, z; lines >> y >> z; lines.ignore(1000, '\n'))
-        turned += std::to_string(y) + " " + std::to_string(-z) + "\n";
-    if (ending != "txt") turned.replace(turned.find("X,Y,A,C"), 7, "X,Y");
+        image += std::to_string(y) + " " + std::to_string(-z) + "\n";
+    if (ending != "txt") image.replace(image.find("X,Y,A,C"), 7, "X,Y");
     const auto as_written = read_profile(std::string_view(text), "a." + ending, kind);
-    const auto upside_down = read_profile(std::string_view(turned), "a." + ending, kind);
+    const auto upside_down = read_profile(std::string_view(image), "a." + ending, kind);
     CHECK(points_of(as_written).mirror_z != points_of(upside_down).mirror_z);
     const ProfileCurve one = make_profile(as_written).curve, other = make_profile(upside_down).curve;
     for (const double y : {-25.0, -3.0, 10.0, 20.0})
@@ -170,9 +170,9 @@ TEST_CASE("a wheel that was measured from the tip of its flange to its chamfer i
     CHECK(points_of(spec).mirror_z == (sign < 0));
     const ProfileCurve curve = make_profile(spec).curve;
     CHECK(std::ranges::max(curve.points(), {}, &ProfilePoint::z).z > 25);
-    ProfileSpec turned = spec;
-    std::get<ProfilePoints>(turned.shape).mirror_z = sign > 0;
-    CHECK_THROWS_MATCHES(make_profile(turned), InvalidArgument, MessageMatches(ContainsSubstring("change mirror_z")));
+    ProfileSpec image = spec;
+    std::get<ProfilePoints>(image.shape).mirror_z = sign > 0;
+    CHECK_THROWS_MATCHES(make_profile(image), InvalidArgument, MessageMatches(ContainsSubstring("change mirror_z")));
 }
 
 TEST_CASE("Simpack's files have comments of both kinds, and end where their spline does", "[profile]") {

@@ -91,7 +91,7 @@ double difference(const ContactInfluence& a, const ContactInfluence& b, std::siz
 
 }  // namespace
 
-TEST_CASE("On rows that are not turned rotated half-spaces are half-spaces") {
+TEST_CASE("On flat rows rotated half-spaces are half-spaces") {
     ContactProblem problem;
     problem.grid = {12, 9, 0.2, 0.3, -1.2, -1.5};
     problem.bodies = Bodies::of({{82000, 0.28}, {60000, 0.35}});

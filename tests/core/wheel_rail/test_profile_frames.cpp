@@ -35,8 +35,8 @@ void check_rail_frame(const WheelRailSolution& solution) {
     const Wrench &track = solution.forces.track, &rail = solution.forces.rail;
     const Rotation axes = Rotation::yaw_then_roll(yaw, roll);
     const Vector3 force{track.Fx, track.Fy, track.Fz}, moment{track.Mx, track.My, track.Mz};
-    check_same(axes.turned_back(force), {rail.Fx, rail.Fy, rail.Fz}, 1e-9 * track.Fz);
-    check_same(axes.turned_back(moment - cross({x, y, z}, force)), {rail.Mx, rail.My, rail.Mz}, 1e-9 * 750 * track.Fz);
+    check_same(axes.rotated_back(force), {rail.Fx, rail.Fy, rail.Fz}, 1e-9 * track.Fz);
+    check_same(axes.rotated_back(moment - cross({x, y, z}, force)), {rail.Mx, rail.My, rail.Mz}, 1e-9 * 750 * track.Fz);
 }
 
 }  // namespace
@@ -106,15 +106,15 @@ TEST_CASE("The frame of a wheel turns with its deviation") {
     WheelRailState state = rolling_state(Side::right);
     state.wheel.roll = 0.004;
     state.wheel.yaw = -0.003;
-    const WheelRailSolution turned = solve(setup, state);
+    const WheelRailSolution rotated = solve(setup, state);
     const double products = 1e-4;  // of two angles
-    CHECK_THAT(turned.wheel_frame.roll, WithinAbs(state.position.roll + 0.004, products));
-    CHECK_THAT(turned.wheel_frame.yaw, WithinAbs(state.position.yaw - 0.003, products));
+    CHECK_THAT(rotated.wheel_frame.roll, WithinAbs(state.position.roll + 0.004, products));
+    CHECK_THAT(rotated.wheel_frame.yaw, WithinAbs(state.position.yaw - 0.003, products));
     state.wheel = {};
-    state.position.z = turned.z;
+    state.position.z = rotated.z;
     state.Fz.reset();
     const WheelRailSolution rigid = solve(setup, state);
-    check_same({turned.wheel_frame.x, turned.wheel_frame.y, turned.wheel_frame.z},
+    check_same({rotated.wheel_frame.x, rotated.wheel_frame.y, rotated.wheel_frame.z},
                {rigid.wheel_frame.x, rigid.wheel_frame.y, rigid.wheel_frame.z}, 1e-9);
 }
 

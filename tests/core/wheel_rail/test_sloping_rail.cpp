@@ -16,7 +16,7 @@ namespace {
 
 constexpr double radius = 460, load = 80'000, speed = 20'000;
 
-/// An arc of 300 mm across the track, at a height and turned by `lean`.
+/// An arc of 300 mm across the track, at a height and rotated by `lean`.
 ProfilePoints arc_at(double height, double lean) {
     ProfilePoints arc;
     for (double y = -30; y <= 30; y += 0.5) {

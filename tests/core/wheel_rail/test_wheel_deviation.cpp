@@ -137,22 +137,22 @@ TEST_CASE("A wheel that is displaced along the track has the forces of a wheelse
     CHECK_THAT(there.z, WithinAbs(here.z, 2e-5));
 }
 
-TEST_CASE("A wheel that leans touches where one with a turned profile does") {
+TEST_CASE("A wheel that leans touches where one with a rotated profile does") {
     const double angle = 0.02;
-    WheelRailSetup turned = coarse_setup();
-    const ProfileCurve curve = make_profile(turned.wheel).curve;
+    WheelRailSetup rotated = coarse_setup();
+    const ProfileCurve curve = make_profile(rotated.wheel).curve;
     std::vector<ProfilePoint> points;
     for (const ProfilePoint& point : curve.points())
         points.push_back({std::cos(angle) * point.y - std::sin(angle) * point.z,
                           std::sin(angle) * point.y + std::cos(angle) * point.z});
-    turned.wheel.shape = ProfilePoints{points};
+    rotated.wheel.shape = ProfilePoints{points};
     WheelRailSetup straight = coarse_setup();
     straight.wheel.shape = ProfilePoints{curve.points()};
     WheelRailState state = rolling_state(), leaning = rolling_state();
     leaning.wheel.roll = angle;
-    state.position.z = leaning.position.z = WheelRailContact(turned).first_contact_height(state).value() + 0.05;
+    state.position.z = leaning.position.z = WheelRailContact(rotated).first_contact_height(state).value() + 0.05;
     const WheelRailGeometry one = WheelRailContact(straight).locate(leaning);
-    const WheelRailGeometry other = WheelRailContact(turned).locate(state);
+    const WheelRailGeometry other = WheelRailContact(rotated).locate(state);
     REQUIRE(one.places.size() == other.places.size());
     REQUIRE(!one.places.empty());
     for (std::size_t i = 0; i < one.places.size(); ++i) {

@@ -26,8 +26,8 @@ def curvature_of(points: npt.ArrayLike) -> tuple[Array, Array]:
         raise invalid("points", f"has shape {list(at.shape)}; it must be [n, 2], n at least 3")
     before, behind = at[1:-1] - at[:-2], at[2:] - at[1:-1]
     across = at[2:] - at[:-2]
-    turned = before[:, 0] * behind[:, 1] - before[:, 1] * behind[:, 0]
-    return at[1:-1, 0], 2 * turned / (np.hypot(*before.T) * np.hypot(*behind.T) * np.hypot(*across.T))
+    twice_area = before[:, 0] * behind[:, 1] - before[:, 1] * behind[:, 0]
+    return at[1:-1, 0], 2 * twice_area / (np.hypot(*before.T) * np.hypot(*behind.T) * np.hypot(*across.T))
 
 
 def draw_profile(

@@ -41,8 +41,8 @@ def placed_rail(profiles: PlacedProfiles, deviation: RailDeviation | None = None
     out = 1 if side == "right" else -1
     cosine, sine = np.cos(moved.roll), out * np.sin(moved.roll)
     y, z = profiles.rail.T
-    turned = profiles.rail_origin.y + out * moved.y + cosine * y - sine * z
-    return np.column_stack([out * turned, profiles.rail_origin.z + moved.z + sine * y + cosine * z])
+    rotated = profiles.rail_origin.y + out * moved.y + cosine * y - sine * z
+    return np.column_stack([out * rotated, profiles.rail_origin.z + moved.z + sine * y + cosine * z])
 
 
 def draw_contact_locus(

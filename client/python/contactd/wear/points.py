@@ -61,8 +61,8 @@ def _side(points: Array, depth: float, sign: int) -> float:
     """Returns y of a side, below the top, times the sign, so that it increases inwards. NaN if that side is too
     short.
     """
-    turned = points if sign > 0 else (points * (-1.0, 1.0))[::-1]
-    outwards = turned[: int(turned[:, 1].argmin()) + 1][::-1]
+    mirrored = points if sign > 0 else (points * (-1.0, 1.0))[::-1]
+    outwards = mirrored[: int(mirrored[:, 1].argmin()) + 1][::-1]
     try:
         return crossing(outwards[:, 0], 0 - outwards[:, 1], 0 - (points[:, 1].min() + depth), "points")
     except InvalidArgument:

@@ -111,16 +111,16 @@ def _in_metres(positions: Sequence[float]) -> Iterator[str]:
 
 def mirrored(one: WeightedState) -> WeightedState:
     """Returns the state of a wheel on the right rail that is the mirror image of the left wheel in the given state."""
-    return replace(one, state=_turned(one.state))
+    return replace(one, state=_mirrored(one.state))
 
 
-def _turned(value: Any) -> Any:
+def _mirrored(value: Any) -> Any:
     """Changes the signs of lateral quantities, and of rotations about the longitudinal and vertical axes."""
     changed: dict[str, Any] = {}
     for field in fields(value):
         part = getattr(value, field.name)
         if hasattr(part, "__dataclass_fields__"):
-            changed[field.name] = _turned(part)
+            changed[field.name] = _mirrored(part)
         elif field.name in _ODD and part:
             changed[field.name] = -part
     return replace(value, **changed)

@@ -34,9 +34,9 @@ class Springs:
         """Returns the springs' state, and forces (N) and moments (N mm) about the centres of the bodies, shape [bodies,
         3] each.
         """
-        turned = frames(bodies)
-        spins = along(turned, bodies[:, RATES])
-        arms = along((turned @ about_y(bodies[:, PITCH]))[self._ends], self._points)
+        rotated = frames(bodies)
+        spins = along(rotated, bodies[:, RATES])
+        arms = along((rotated @ about_y(bodies[:, PITCH]))[self._ends], self._points)
         ends = bodies[:, PLACE][self._ends] + arms
         velocities = bodies[:, VELOCITY][self._ends] + cross(spins[self._ends], arms)
         lines = ends[:, 1] - ends[:, 0]

@@ -103,8 +103,8 @@ def _add_contacts(mbs: exu.MainSystem, equations: Equations, nodes: list[int], b
         rails = equations.rolling(moving)
         found = np.empty((count, 6))
         for i, (force, moment) in enumerate(zip(rails.forces, rails.moments)):
-            turned = axes(moving[i, ROLL], moving[i, YAW])
-            found[i] = *force[TO_EXUDYN], moment[2], moment @ turned[:, 0], moment @ turned[:, 1]
+            rotated = axes(moving[i, ROLL], moving[i, YAW])
+            found[i] = *force[TO_EXUDYN], moment[2], moment @ rotated[:, 0], moment @ rotated[:, 1]
         return found.ravel()
 
     none = np.zeros((6 * count, 6 * count))

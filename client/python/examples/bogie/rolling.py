@@ -67,10 +67,10 @@ class Rolling:
         way = self._ways[number] = self.line.way_to(body[PLACE], float(self._ways[number]))
         track = self.line.axes(way)
         _, y, z = track.T @ (body[PLACE] - self.line.place(way))
-        turned = axes(body[ROLL], body[YAW])
-        along_x, along_y, along_z = track.T @ turned[:, 1]  # the axle
+        rotated = axes(body[ROLL], body[YAW])
+        along_x, along_y, along_z = track.T @ rotated[:, 1]  # the axle
         roll, yaw = float(np.arcsin(along_z)), float(np.arctan2(-along_x, along_y))
         velocity = track.T @ body[VELOCITY]
-        rates = axes(roll, yaw).T @ track.T @ turned @ body[RATES]
+        rates = axes(roll, yaw).T @ track.T @ rotated @ body[RATES]
         numbers = [y, z + self.vehicle.radius, roll, yaw, *velocity, *rates]
         return Motion(way, *(float(value) for value in numbers))

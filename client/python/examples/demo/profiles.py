@@ -46,8 +46,8 @@ def rail_60e1(slope: float) -> Curve:
     right = np.array(half)
     head = np.vstack([right[::-1] * (-1, 1), right[1:]])
     tilt = math.atan(slope)
-    turned = head @ np.array([[math.cos(tilt), -math.sin(tilt)], [math.sin(tilt), math.cos(tilt)]])
-    return turned - np.array([0, turned[:, 1].min()])
+    rotated = head @ np.array([[math.cos(tilt), -math.sin(tilt)], [math.sin(tilt), math.cos(tilt)]])
+    return rotated - np.array([0, rotated[:, 1].min()])
 
 
 def placed_rail(side: str) -> Curve:

@@ -76,8 +76,8 @@ class LinearContact:
         axes (N mm).
         """
         force, moment = np.zeros(3), np.zeros(3)
-        turned = axes(motion.roll, motion.yaw)
-        rates = turned @ (motion.roll_rate, motion.pitch_rate, motion.yaw_rate)
+        rotated = axes(motion.roll, motion.yaw)
+        rates = rotated @ (motion.roll_rate, motion.pitch_rate, motion.yaw_rate)
         for side in SIDES:
             sign = 1 if side == "right" else -1
             rail_y, rail_z, y_slope, z_slope = self.track.deviation(side, motion.distance)
@@ -87,7 +87,7 @@ class LinearContact:
 
             forwards, across = np.array([1.0, 0, 0]), np.array([0, np.cos(self.angle), -sign * np.sin(self.angle)])
             normal = cross(forwards, across)
-            arm = turned @ (0.0, sign * self.half_distance, self.radius + larger)
+            arm = rotated @ (0.0, sign * self.half_distance, self.radius + larger)
             wheel = np.array([motion.vx, motion.vy, motion.vz]) + cross(rates, arm)
             rail = motion.vx * np.array([0.0, y_slope, z_slope])
             rolling = abs(motion.vx)
@@ -96,5 +96,5 @@ class LinearContact:
             fx, fy, mz = (length, length, length**2) * (self.creep @ ((length, length, length**2) * creepages))
             on_rail = fx * forwards + fy * across + fn * normal
             force -= on_rail
-            moment -= turned.T @ (cross(arm, on_rail) + mz * normal)
+            moment -= rotated.T @ (cross(arm, on_rail) + mz * normal)
         return force, moment

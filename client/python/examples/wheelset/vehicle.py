@@ -52,16 +52,16 @@ def suspension(vehicle: Vehicle, x: float, rest: float, motion: Motion, speed: f
     x is the position of the centre relative to the frame (mm), rest the z at which the springs carry the frame's load
     (mm).
     """
-    turned = axes(motion.roll, motion.yaw)
-    rates = turned @ (motion.roll_rate, motion.pitch_rate, motion.yaw_rate)
+    rotated = axes(motion.roll, motion.yaw)
+    rates = rotated @ (motion.roll_rate, motion.pitch_rate, motion.yaw_rate)
     force, moment = np.zeros(3), np.zeros(3)
     for side in (-1, 1):
         box = np.array([0.0, side * vehicle.half_base, 0.0])
-        arm = turned @ box
+        arm = rotated @ box
         moved = np.array([x, motion.y, motion.z - rest]) + arm - box
         velocity = np.array([motion.vx - speed, motion.vy, motion.vz]) + cross(rates, arm)
         at_box = -np.multiply(vehicle.stiffness, moved) - np.multiply(vehicle.damping, velocity)
         at_box[2] += frame_load(vehicle)
         force += at_box
-        moment += turned.T @ cross(arm, at_box)
+        moment += rotated.T @ cross(arm, at_box)
     return force, moment

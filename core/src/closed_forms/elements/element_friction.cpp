@@ -20,7 +20,7 @@ class RollingModel {
         : problem_(problem), patch_(patch), rolling_(rolling), frame_(rolling_frame(patch.axes, rolling.chi)) {
         const double mu = problem.friction->mu[0];
         theory_.axes = frame_.axes;
-        theory_.counted = turned(patch.counted);
+        theory_.counted = rotated(patch.counted);
         theory_.C = coefficients_of(frame_.axes, patch.combined.nu, problem.simplified.coefficients);
         theory_.G = patch.combined.G;
         theory_.nu = patch.combined.nu;
@@ -77,7 +77,7 @@ class RollingModel {
     }
 
    private:
-    SemiAxes turned(const SemiAxes& axes) const { return frame_.c == 0 ? SemiAxes{axes.b, axes.a} : axes; }
+    SemiAxes rotated(const SemiAxes& axes) const { return frame_.c == 0 ? SemiAxes{axes.b, axes.a} : axes; }
 
     const ContactProblem& problem_;
     const ElementPatch& patch_;

@@ -31,7 +31,7 @@ class RailSection {
     std::optional<SectionPoint> at(double from_reference) const {
         const double arc = start_ + from_reference;
         if (!(arc >= 0 && arc <= length_)) return std::nullopt;
-        const ProfileCurve::Place place = rail_.turned_to(x_, rail_.placed(profile_, profile_.s_at_arc_length(arc)));
+        const ProfileCurve::Place place = rail_.rotated_to(x_, rail_.placed(profile_, profile_.s_at_arc_length(arc)));
         return SectionPoint{place.at.y, place.at.z, place.slope.y, place.slope.z};
     }
 

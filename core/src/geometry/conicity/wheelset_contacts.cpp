@@ -78,9 +78,9 @@ WheelsetOnTrack wheelset_on_track(const ProfileCurve& wheel, const ProfileCurve&
 WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, WheelsetRoll roll) {
     if (!std::isfinite(shift))
         throw InvalidArgument("shift", "is " + number_text(shift) + "; it must be finite, in mm");
-    const auto right = [&](double turned) { return gap_of(wheelset.right, shift, turned, 1); };
-    const auto left = [&](double turned) { return gap_of(wheelset.left, shift, turned, -1); };
-    double turned = 0;
+    const auto right = [&](double rotated) { return gap_of(wheelset.right, shift, rotated, 1); };
+    const auto left = [&](double rotated) { return gap_of(wheelset.left, shift, rotated, -1); };
+    double rotated = 0;
     if (roll == WheelsetRoll::demanded) {
         // A roll to the right lowers the right wheel, and the gap on the left widens. Both wheels share one axle, so
         // heights are those of its middle.
@@ -98,12 +98,12 @@ WheelsetContacts contacts_at(const WheelsetOnTrack& wheelset, double shift, Whee
             else
                 low = high, at_low = at_high, at_high = imbalance(high = reach);
         }
-        turned = geometry::bracketed_root(low, high, at_low, at_high, precise_roll, imbalance);
+        rotated = geometry::bracketed_root(low, high, at_low, at_high, precise_roll, imbalance);
     }
     return {.shift = shift,
-            .roll = turned,
-            .left = contact_of(wheelset.left, left(turned), -1),
-            .right = contact_of(wheelset.right, right(turned), 1)};
+            .roll = rotated,
+            .left = contact_of(wheelset.left, left(rotated), -1),
+            .right = contact_of(wheelset.right, right(rotated), 1)};
 }
 
 }  // namespace contactd

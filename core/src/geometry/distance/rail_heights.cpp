@@ -32,7 +32,7 @@ class Section {
         Vector3 at;
         const bool found = find_ascending(
             [&](double s) {
-                const auto place = rail_.turned_to(x, rail_.placed(profile_, s));
+                const auto place = rail_.rotated_to(x, rail_.placed(profile_, s));
                 at = {x, place.at.y - reference_.y, place.at.z - reference_.z};
                 return Sloped{cosine_ * at.y + sine_ * at.z, cosine_ * place.slope.y + sine_ * place.slope.z};
             },

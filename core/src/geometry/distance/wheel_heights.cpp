@@ -17,9 +17,9 @@ class WheelAbovePlane {
     WheelAbovePlane(const WheelSurface& wheel, const ContactReference& reference) : wheel_(wheel) {
         const Frame contact = contact_frame(reference);
         const Rotation& axes = wheel.frame().axes;
-        along_ = axes.turned_back(contact.axes.x);
-        across_ = axes.turned_back(contact.axes.y);
-        normal_ = axes.turned_back(contact.axes.z);
+        along_ = axes.rotated_back(contact.axes.x);
+        across_ = axes.rotated_back(contact.axes.y);
+        normal_ = axes.rotated_back(contact.axes.z);
         centre_ = wheel.frame().inside(contact.origin);
         const auto& profile = wheel.profile();
         const double s = profile.s_at_y(centre_.y - wheel.base_y());

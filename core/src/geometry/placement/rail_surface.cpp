@@ -13,7 +13,7 @@
 namespace contactd::geometry {
 namespace {
 
-ProfilePoint turned(const ProfilePoint& point, double cosine, double sine) {
+ProfilePoint rotated(const ProfilePoint& point, double cosine, double sine) {
     return {cosine * point.y - sine * point.z, sine * point.y + cosine * point.z};
 }
 
@@ -73,19 +73,19 @@ RailSurface::RailSurface(std::shared_ptr<const SlicedRail> slices, double x, con
 
 Span RailSurface::visible_part(const ProfileCurve& profile) const {
     return visible_span(
-        profile, [this](const ProfilePoint& point) { return frame_.origin.y + turned(point, cosine_, sine_).y; });
+        profile, [this](const ProfilePoint& point) { return frame_.origin.y + rotated(point, cosine_, sine_).y; });
 }
 
 ProfileCurve::Place RailSurface::placed(const ProfileCurve& profile, double s) const {
     ProfileCurve::Place place = profile.place(s);
-    for (ProfilePoint* part : {&place.at, &place.slope, &place.curving}) *part = turned(*part, cosine_, sine_);
+    for (ProfilePoint* part : {&place.at, &place.slope, &place.curving}) *part = rotated(*part, cosine_, sine_);
     place.at.y += frame_.origin.y;
     place.at.z += frame_.origin.z;
     return place;
 }
 
 ProfilePoint RailSurface::placed(const ProfilePoint& point) const {
-    const ProfilePoint at = turned(point, cosine_, sine_);
+    const ProfilePoint at = rotated(point, cosine_, sine_);
     return {at.y + frame_.origin.y, at.z + frame_.origin.z};
 }
 
@@ -104,7 +104,7 @@ double RailSurface::height(double x, double y, double s) const {
     if (!leans()) return z_at(x, y, place(s).at.z);
     constexpr int enough = 4;
     for (int pass = 0; pass < enough; ++pass) find_y(y - inwards_.y * sag(x, place(s).at), s);
-    return turned_to(x, place(s)).at.z;
+    return rotated_to(x, place(s)).at.z;
 }
 
 // Between columns the surface is a cubic through the four around, because slices are farther apart. If one of the outer
@@ -162,7 +162,7 @@ double RailSurface::column_z(int column, double y) const {
     return placed(at.profile, s).at.z;
 }
 
-ProfileCurve::Place RailSurface::turned_to(double x, ProfileCurve::Place place) const {
+ProfileCurve::Place RailSurface::rotated_to(double x, ProfileCurve::Place place) const {
     if (!axle_) return place;
     const double radius = radius_at(place.at);
     const double sunk = sag(x, place.at);

@@ -45,7 +45,7 @@ class RailSurface {
     double slope_along(double x, double y, double z) const;  ///< its derivative by x
     bool varies() const { return axle_ || slices_; }         ///< whether the surface varies along the track
     bool is_sliced() const { return slices_ != nullptr; }
-    /// Returns the profile at x; that of rollers is rotated about their axle by `turned_to`.
+    /// Returns the profile at x; that of rollers is rotated about their axle by `rotated_to`.
     ProfileCurve section(double x) const { return slices_ ? slices_->at(x_ + x) : profile_; }
     /// Returns the position of the next slice behind x; infinite if there is none.
     double next_slice(double x) const {
@@ -59,7 +59,7 @@ class RailSurface {
     /// Between columns of slices at multiples of this distance (mm), the surface is cubic along the track.
     static constexpr double step_along = 2;
     /// Returns the position of a place of the profile at x, with its first derivative; on a roller it rotates.
-    ProfileCurve::Place turned_to(double x, ProfileCurve::Place place) const;
+    ProfileCurve::Place rotated_to(double x, ProfileCurve::Place place) const;
 
     /// Returns 1/R of a roller along x (1/mm), which is zero for a rail with or without slices.
     double curvature_along() const { return axle_ ? 1 / *radius_ : 0; }

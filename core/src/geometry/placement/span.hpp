@@ -30,11 +30,11 @@ Span ascending_span(const ProfileCurve& curve, double s, const Value& value) {
 }
 
 /// Returns the span that is visible from above, from the point in the middle to both sides. y of the curve ascends from
-/// its first point to its last; `turned_y` returns y in the track.
-template <class TurnedY>
-Span visible_span(const ProfileCurve& curve, const TurnedY& turned_y) {
+/// its first point to its last; `rotated_y` returns y in the track.
+template <class RotatedY>
+Span visible_span(const ProfileCurve& curve, const RotatedY& rotated_y) {
     const double middle = 0.5 * (curve.points().front().y + curve.points().back().y);
-    return ascending_span(curve, curve.s_at_y(middle), turned_y);
+    return ascending_span(curve, curve.s_at_y(middle), rotated_y);
 }
 
 }  // namespace contactd::geometry

@@ -27,7 +27,7 @@ struct Rotation {
 
     Vector3 operator*(const Vector3& a) const { return a.x * x + a.y * y + a.z * z; }
     Rotation operator*(const Rotation& inner) const { return {*this * inner.x, *this * inner.y, *this * inner.z}; }
-    Vector3 turned_back(const Vector3& a) const { return {dot(x, a), dot(y, a), dot(z, a)}; }
+    Vector3 rotated_back(const Vector3& a) const { return {dot(x, a), dot(y, a), dot(z, a)}; }
 
     /// Returns the rotation about x, from y to z.
     static Rotation roll(double angle) {
@@ -48,7 +48,7 @@ struct Frame {
     Rotation axes{};
 
     Vector3 outside(const Vector3& inside) const { return origin + axes * inside; }
-    Vector3 inside(const Vector3& outside) const { return axes.turned_back(outside - origin); }
+    Vector3 inside(const Vector3& outside) const { return axes.rotated_back(outside - origin); }
 };
 
 }  // namespace contactd::geometry

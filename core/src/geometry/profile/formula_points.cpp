@@ -91,17 +91,17 @@ std::vector<ProfilePoint> formula_points(const Rail60E1& rail) {
         arc(head.corner_centre, 13, inclination(head.to_corner), inclination(head.to_side)),
         straight(head.side, head.lowest)};
     const double angle = std::atan(rail.inclination);
-    const auto turned = [&](const ProfilePoint& point) {
+    const auto rotated = [&](const ProfilePoint& point) {
         const double y = point.y - pivot.y, z = point.z - pivot.z;
         return ProfilePoint{pivot.y + std::cos(angle) * y + std::sin(angle) * z,
                             pivot.z - std::sin(angle) * y + std::cos(angle) * z};
     };
     auto [centre, radius] = head.top_arc(std::abs(angle));
     if (angle < 0) centre.y = -centre.y;
-    const double top = turned(centre).z - radius;
+    const double top = rotated(centre).z - radius;
     auto points = points_along(stretches);
     for (ProfilePoint& point : points) {
-        point = turned(point);
+        point = rotated(point);
         point.z -= top;
     }
     return points;

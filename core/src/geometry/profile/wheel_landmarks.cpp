@@ -19,8 +19,8 @@ ProfilePoint difference(const ProfilePoint& a, const ProfilePoint& b) {
 double hollowness(const ProfileCurve& curve, double s) {
     const ProfilePoint here = curve.at(s), before = difference(here, curve.at(s - reach)),
                        behind = difference(curve.at(s + reach), here), across{before.y + behind.y, before.z + behind.z};
-    const double turned = before.y * behind.z - before.z * behind.y;
-    return 2 * turned /
+    const double twice_area = before.y * behind.z - before.z * behind.y;
+    return 2 * twice_area /
            (std::hypot(before.y, before.z) * std::hypot(behind.y, behind.z) * std::hypot(across.y, across.z));
 }
 

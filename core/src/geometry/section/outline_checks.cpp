@@ -15,7 +15,7 @@ namespace {
 using Polygon = std::vector<SectionPoint>;
 
 // Returns twice the area, positive anticlockwise.
-double turned_area(const Polygon& polygon) {
+double twice_area(const Polygon& polygon) {
     const SectionPoint& o = polygon.front();
     double sum = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -146,7 +146,7 @@ void check_crossings(const std::vector<Polygon>& polygons, const std::vector<std
 }
 
 void check_sense(const Polygon& polygon, bool outside, const std::string& name) {
-    const double area = turned_area(polygon);
+    const double area = twice_area(polygon);
     if (area == 0) throw InvalidArgument(name, "encloses no area; it begins at " + place_text(polygon.front()));
     if ((area > 0) == outside)
         throw InvalidArgument(

@@ -22,9 +22,9 @@ UnsetArray in_strip_axes(const StripGrid& grid, const std::vector<NineValues>& m
                 view_of(grid.frames, grid.ds, grid.perimeter, static_cast<int>(I), static_cast<int>(J)).turn);
             const NineValues* of_pair = &midway[(I > J ? I - J : J - I) * n];
             for (std::size_t k = 0; k < n; ++k) {
-                const NineValues turned = axes(I < J ? opposite(of_pair[k]) : of_pair[k]);
+                const NineValues rotated = axes(I < J ? opposite(of_pair[k]) : of_pair[k]);
                 for (std::size_t ij = 0; ij < 9; ++ij)
-                    values[ij * component + (I * strips + J) * n + k] = factor * turned[ij];
+                    values[ij * component + (I * strips + J) * n + k] = factor * rotated[ij];
             }
         }
     }

@@ -71,7 +71,7 @@ std::shared_ptr<const MidwaySymbols> MidwayKernels::symbols(const SymbolExtent& 
             return result;
         };
         // A component that mixes x with another axis has -i times the transform of the opposite parity.
-        const auto turned = [&](std::vector<double> values) {
+        const auto rotated = [&](std::vector<double> values) {
             if (!extent.natural())
                 for (double& value : values) value = -value;
             return values;
@@ -79,14 +79,14 @@ std::shared_ptr<const MidwaySymbols> MidwayKernels::symbols(const SymbolExtent& 
         const std::vector<double> normal = of(nn), across = of(ss);
         MidwaySymbols made{static_cast<std::size_t>(extent.strips),
                            of(xx),
-                           turned(of(xs)),
+                           rotated(of(xs)),
                            half_sum(normal, 1, across),
                            half_sum(normal, -1, across),
                            {},
                            {}};
         if (coupled_) {
             made.sn = of(sn);
-            made.xn = turned(of(xn));
+            made.xn = rotated(of(xn));
         }
         return std::make_shared<const MidwaySymbols>(std::move(made));
     });

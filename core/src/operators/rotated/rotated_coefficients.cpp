@@ -12,7 +12,7 @@ namespace contactd {
 namespace {
 
 /// Returns whether the angles are so large that normal and tangential contact influence each other.
-bool are_turned(const std::vector<double>& angles) {
+bool are_rotated(const std::vector<double>& angles) {
     const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
     return *greatest - *least > coupling_tolerance;
 }
@@ -37,7 +37,7 @@ std::vector<std::size_t> first_kept(const KeptDistances& kept, std::size_t group
 }  // namespace
 
 RotatedCoefficients::RotatedCoefficients(std::shared_ptr<const MidwayKernels> midway, std::vector<double> angles)
-    : midway_(std::move(midway)), angles_(std::move(angles)), coupled_(midway_->coupled() || are_turned(angles_)) {}
+    : midway_(std::move(midway)), angles_(std::move(angles)), coupled_(midway_->coupled() || are_rotated(angles_)) {}
 
 double RotatedCoefficients::self(Axis i, int) const {
     using enum MidwayKernels::Component;

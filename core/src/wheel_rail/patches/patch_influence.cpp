@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "bodies/rotated_displacement_influence.hpp"
 #include "bodies/strip_influence.hpp"
-#include "bodies/turned_influence.hpp"
 #include "contactd/strip_spectrum.hpp"
 #include "wheel_rail/patches/curved_size.hpp"
 
@@ -46,7 +46,7 @@ ContactInfluence patch_influence(const ContactProblem& problem, const PatchStrip
     if (strips.along_loaded_row) {
         std::vector<double> angles;
         for (const StripFrame& frame : strips.frames) angles.push_back(frame.angle);
-        return turned_influence(problem, angles, observer);
+        return rotated_displacement_influence(problem, angles, observer);
     }
     if (!strips.of_sections()) return RotatedPatches().of(problem, strips, observer);
     check_curved_size(grid);

@@ -10,12 +10,13 @@ namespace {
 /// wheel slides along the plane, where its profile is inclined at the ends of the contact, and the rows of a curved
 /// contact have other directions.
 double change_beside_approach(const ContactPlace& place) {
-    double across = 0, turned = 0;
+    double across = 0, rotated = 0;
     for (const OverlapRegion& region : place.regions)
         for (const double end : {region.y.from, region.y.to})
             across = std::max(across, std::abs(end - place.reference.y) / std::cos(place.reference.angle));
-    for (const ContactRow& row : place.rows) turned = std::max(turned, 1 - std::cos(row.angle - place.reference.angle));
-    return std::abs(std::sin(place.reference.angle)) * across / std::abs(place.radii.wheel_across) + turned;
+    for (const ContactRow& row : place.rows)
+        rotated = std::max(rotated, 1 - std::cos(row.angle - place.reference.angle));
+    return std::abs(std::sin(place.reference.angle)) * across / std::abs(place.radii.wheel_across) + rotated;
 }
 
 double upright(const ContactPlace& place) {

@@ -31,11 +31,11 @@ def quarter(n=4):
     return read_mesh("\n".join(lines) + "\n")
 
 
-def test_a_prism_that_is_moved_and_turned_has_no_energy():
+def test_a_prism_that_is_moved_and_rotated_has_no_energy():
     matrix = prism_stiffness(CORNERS, NU)
-    turned = np.cross([0.3, -0.2, 0.5], CORNERS)
+    rotated = np.cross([0.3, -0.2, 0.5], CORNERS)
     assert np.abs(matrix @ np.tile([1, 2, 3], 6)).max() < 1e-12
-    assert np.abs(matrix @ turned.ravel()).max() < 1e-12
+    assert np.abs(matrix @ rotated.ravel()).max() < 1e-12
 
 
 def test_a_prism_that_is_strained_uniformly_has_the_energy_of_its_volume():

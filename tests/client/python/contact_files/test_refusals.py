@@ -21,7 +21,7 @@ PATCHES = {**CORNER, "IBASE": 1, "B1": 1e-3, "B2": 0.0, "B3": 2e-3, "B4": 0.0, "
            "PATCH_LIMITS": (-3.0, -0.5, -1.0, 1.0, 0.5, 3.0, -1.0, 1.0), "PATCH_FACTORS": (0.5,)}  # fmt: skip
 BY_HEAT = {"FREF": 0.3, "TREF": 20.0, "DFHEAT": -0.18, "DTHEAT": 400.0}
 ROLLER: dict[str, Any] = {"C1": 5, "NOMRADR": 500.0, "RPITCH": 4.0, "X_WS": 0.0}
-TURNED = {"INFLCF": 4, "IF_METH": 0}
+ROTATED = {"INFLCF": 4, "IF_METH": 0}
 NO_FORCE = {"N": 0, "PEN": 0.02, "F": 1, "FX": 0.5}
 
 
@@ -64,15 +64,15 @@ EXAMPLES: dict[str, list[Any]] = {
     "pressures over two half ellipses that are not prescribed (IPOTCN = -6, B = 0)": [
         basic_case(IPOTCN=-6, AA=4.0, BNEG=1.0, BPOS=3.0, SCALE=1.1)
     ],
-    "rotated half-spaces (C = 4)": [basic_case(**TURNED, VARIANT=4, ANGLE_Y=[-1.0, 1.0], ANGLE=[0.0, 0.0])],
+    "rotated half-spaces (C = 4)": [basic_case(**ROTATED, VARIANT=4, ANGLE_Y=[-1.0, 1.0], ANGLE=[0.0, 0.0])],
     "patches that share their displacements, except with pressures of the full theory (IPLAN = 4, B > 1)": [
         basic_case(B=5, N=0, PEN=0.01, **PATCHES)
     ],
     "viscoelastic bodies on rails (M = 1)": [rail_case(**CREEP)],
     "FASTSIM or FaStrip on rails with pressures of the full theory (M = 3, 5, B = 0)": [rail_case(M=3, **SLOPE)],
     "bilinear tractions on rails (C = 3)": [rail_case(INFLCF=3)],
-    "rotated half-spaces in a planar contact (C = 4)": [rail_case(**TURNED, VARIANT=4)],
-    "half-spaces that rotate with their loads (C = 4, VARIANT = 1, 2)": [rail_case(**TURNED, D=4, DISCNS=4, VARIANT=2)],
+    "rotated half-spaces in a planar contact (C = 4)": [rail_case(**ROTATED, VARIANT=4)],
+    "half-spaces that rotate with their loads (C = 4, VARIANT = 1, 2)": [rail_case(**ROTATED, D=4, DISCNS=4, VARIANT=2)],
     "variants of the discretisation (D = 6 to 9)": [rail_case(D=6, DISCNS=6)],
     "a roller placed by its gauge that deviates with its axle (DZRAIL)": [rail_case(**ROLLER, DZRAIL=1.0)],
 }  # fmt: skip

@@ -72,7 +72,7 @@ def test_without_a_balance_the_curvature_takes_its_part():
     assert arc.area_above(worn) == pytest.approx(0.5 * (100**2 - 99.5**2), rel=2e-5)
 
 
-def test_points_from_the_field_side_are_turned_round():
+def test_points_from_the_field_side_are_mirrored():
     ascending = Section.of(tread(), "rail")
     np.testing.assert_array_equal(Section.of(tread()[::-1], "rail").points, ascending.points)
 

@@ -115,10 +115,10 @@ def test_a_mirrored_state_turns_what_lies_across_the_track():
     made = WheelRailState(
         position=WheelsetPosition(y=1, z=2, roll=3e-3, yaw=4e-3), velocity=WheelsetVelocity(x=5, y=6, pitch=7, yaw=8), rail=RailDeviation(y=9, z=1)
     )
-    turned = mirrored(WeightedState(made, 0.5, "curve")).state
-    assert turned.position == WheelsetPosition(y=-1, z=2, roll=-3e-3, yaw=-4e-3)
-    assert turned.velocity == WheelsetVelocity(x=5, y=-6, pitch=7, yaw=-8)
-    assert turned.rail == RailDeviation(y=-9, z=1)
+    image = mirrored(WeightedState(made, 0.5, "curve")).state
+    assert image.position == WheelsetPosition(y=-1, z=2, roll=-3e-3, yaw=-4e-3)
+    assert image.velocity == WheelsetVelocity(x=5, y=-6, pitch=7, yaw=-8)
+    assert image.rail == RailDeviation(y=-9, z=1)
 
 
 @pytest.mark.parametrize(

@@ -102,7 +102,7 @@ TEST_CASE("Gaps of a curved contact are those along each row's normal") {
     CHECK(largest > 0.4);
 }
 
-TEST_CASE("The sum of the turned tractions is the force that was asked for") {
+TEST_CASE("The sum of the rotated tractions is the force that was asked for") {
     WheelRailSetup setup = throat_on_rail(Conformal::half_space);
     const WheelRailSolution solution = solve(setup, loaded(60000));
     const WheelRailPatch& patch = solution.patches.at(0);

@@ -53,7 +53,7 @@ TEST_CASE("Nodes of a mesh lie where elements are counted from") {
     CHECK_THAT(left_out(0, 0), WithinAbs(0, 0.1 * chord));
     CHECK_THAT(left_out(0.25, 0), WithinAbs(chord, 0.1 * chord));
     CHECK_THAT(left_out(0.25, 0.25), WithinAbs(0, 0.1 * chord));
-    // So far away the wheel's own axes, which are turned, put rows elsewhere, too.
+    // So far away the wheel's own axes, which are rotated, put rows elsewhere, too.
     CHECK_THAT(left_out(0, -10.25) - left_out(0, -10.5), WithinAbs(chord, 0.1 * chord));
 }
 

@@ -121,7 +121,7 @@ TEST_CASE("the upright head of 60E1 is made of its arcs", "[profile]") {
     CHECK_THAT(std::tan(rail.angle(rail.end())), WithinAbs(20, 1e-3));
 }
 
-TEST_CASE("an inclined head is the upright one turned, its top at zero", "[profile]") {
+TEST_CASE("an inclined head is the upright one rotated, its top at zero", "[profile]") {
     const double inclination = GENERATE(1.0 / 40, 1.0 / 20, -1.0 / 20, 0.15);
     const auto upright = formula_points(Rail60E1{}), inclined = formula_points(Rail60E1{inclination});
     REQUIRE(inclined.size() == upright.size());

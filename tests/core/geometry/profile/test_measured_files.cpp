@@ -107,14 +107,14 @@ TEST_CASE("measured points give the same curve in whatever form they are written
         std::ranges::reverse(reversed.points);
         const ProfileCurve expected = make_profile({file.kind, upright}).curve;
         const auto plain = [](auto& text, double y, double z) { text << y << ' ' << z << '\n'; };
-        const auto turned = [](auto& text, double y, double z) { text << y << '\t' << -z << " # point\r\n"; };
+        const auto mirrored = [](auto& text, double y, double z) { text << y << '\t' << -z << " # point\r\n"; };
         const auto commas = [](auto& text, double y, double z) {
             text << with_commas(y) << ';' << with_commas(z) << '\n';
         };
         const auto table = [](auto& text, double y, double z) { text << '"' << y << "\",\"" << -z << "\"\r\n"; };
         for (const auto& [form, text] :
              {std::pair("reversed", text_of(reversed, plain)),
-              std::pair("upside down", "% y z\n" + text_of(upright, turned)),
+              std::pair("upside down", "% y z\n" + text_of(upright, mirrored)),
               std::pair("decimal commas", "y;z\n" + text_of(upright, commas)),
               std::pair("table", "\xef\xbb\xbf\"Y\",\"Z\"\r\n" + text_of(reversed, table))}) {
             INFO(form);

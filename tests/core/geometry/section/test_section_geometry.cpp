@@ -105,7 +105,7 @@ TEST_CASE("The rail's arcs touch each other, and its gauge side follows from the
     CHECK_THAT(widest, WithinAbs(37.15, 0.2));  // half of the head's width in EN 13674-1
 }
 
-TEST_CASE("An inclined rail is the same one, turned towards the gauge", "[section]") {
+TEST_CASE("An inclined rail is the same one, rotated towards the gauge", "[section]") {
     const auto upright = SectionGeometry({RailSection{0, RailSupport::cut, 2}}, 60, 0.5).frames();
     const auto inclined = SectionGeometry({RailSection{0.05, RailSupport::cut, 2}}, 60, 0.5).frames();
     for (std::size_t i = 0; i < upright.size(); ++i)

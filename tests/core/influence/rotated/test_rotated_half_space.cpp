@@ -81,7 +81,7 @@ TEST_CASE("The rotated half-space is reciprocal", "[rotated]") {
 }
 
 // A groove of radius 10 by finite elements of order 5 (nu 0.28, ds = dx = 0.5, G = 1): I, J, k, and nn, xx, ss, ns, sn.
-TEST_CASE("Turned by the half-angles the half-space is nearer to a groove than as it is, or turned the other way",
+TEST_CASE("Rotated by the half-angles the half-space is nearer to a groove than as it is, or rotated the other way",
           "[rotated]") {
     struct Reference {
         int I, J, k;
@@ -130,9 +130,9 @@ TEST_CASE("Strips all round a cylinder see each other the shorter way", "[rotate
 
 TEST_CASE("A load along the normal of one strip is seen in the axes of another", "[rotated]") {
     const NineValues normal_only = {0, 0, 0, 0, 0, 0, 0, 0, 1};
-    const NineValues turned = StripAxes(0.6)(normal_only);  // observed +0.3, loaded -0.3
-    CHECK_THAT(turned[8], WithinAbs(std::cos(0.3) * std::cos(0.3), 1e-15));
-    CHECK_THAT(turned[5], WithinAbs(-std::sin(0.3) * std::cos(0.3), 1e-15));  // s leans below the surface there
-    CHECK_THAT(turned[7], WithinAbs(std::sin(0.3) * std::cos(0.3), 1e-15));
-    CHECK_THAT(turned[4], WithinAbs(-std::sin(0.3) * std::sin(0.3), 1e-15));
+    const NineValues rotated = StripAxes(0.6)(normal_only);  // observed +0.3, loaded -0.3
+    CHECK_THAT(rotated[8], WithinAbs(std::cos(0.3) * std::cos(0.3), 1e-15));
+    CHECK_THAT(rotated[5], WithinAbs(-std::sin(0.3) * std::cos(0.3), 1e-15));  // s leans below the surface there
+    CHECK_THAT(rotated[7], WithinAbs(std::sin(0.3) * std::cos(0.3), 1e-15));
+    CHECK_THAT(rotated[4], WithinAbs(-std::sin(0.3) * std::sin(0.3), 1e-15));
 }

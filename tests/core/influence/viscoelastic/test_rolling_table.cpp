@@ -142,9 +142,9 @@ TEST_CASE("rolling the other way mirrors the coefficients", "[viscoelastic]") {
         for (const Axis j : {Axis::x, Axis::y, Axis::z})
             for (int k = 1 - grid.nx; k < grid.nx; ++k)
                 for (int m = 1 - grid.ny; m < grid.ny; ++m) {
-                    const double turned = parity(i, j).along_x;
-                    CHECK(backward(i, j, k, m) == turned * forward(i, j, -k, m));
-                    if (i != Axis::z) CHECK(behind(i, j, k, m) == turned * ahead(i, j, -k, m));
+                    const double rotated = parity(i, j).along_x;
+                    CHECK(backward(i, j, k, m) == rotated * forward(i, j, -k, m));
+                    if (i != Axis::z) CHECK(behind(i, j, k, m) == rotated * ahead(i, j, -k, m));
                 }
 }
 

@@ -167,8 +167,8 @@ def _wheelset(case: Case, wheel: WheelRailSolution) -> Iterator[str]:
     yield " WHEEL-SET POSITION AND VELOCITY"
     yield f"     {'X' if roller else 'S'}_WS        Y_WS        Z_WS        ROLL_WS     YAW_WS      PITCH_WS"
     along = general(values["X_WS"] if roller else values["S_WS"], 4, 6)
-    turned = [general(values[name]) for name in ("ROLL", "YAW", "PITCH")]
-    yield row([along, general(values["Y_WS"]), fixed(wheel.z, 12, 4), *turned])
+    rotated = [general(values[name]) for name in ("ROLL", "YAW", "PITCH")]
+    yield row([along, general(values["Y_WS"]), fixed(wheel.z, 12, 4), *rotated])
     yield ""
     yield f"    {'VPITCH_ROL ' if roller else ' VX_WS     '}  VY_WS       VZ_WS       VROLL_WS    VYAW_WS     VPITCH_WS"
     forwards = fixed(values["RPITCH"], 12, 7) if roller else general(values["VS"])

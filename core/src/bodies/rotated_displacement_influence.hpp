@@ -10,7 +10,7 @@ namespace contactd {
 /// Returns operators of the half-spaces of the bodies' materials: displacements of a flat surface, rotated from the
 /// axes of the loaded row to those of the observed one. `angles` (rad, shape [ny]) are those of the rows' normals, from
 /// the lower body to the upper one, positive towards +y. Tractions stay along the axes of their row. Throws Cancelled.
-ContactInfluence turned_influence(const ContactProblem& problem, std::span<const double> angles,
-                                  const Observer& observer = {});
+ContactInfluence rotated_displacement_influence(const ContactProblem& problem, std::span<const double> angles,
+                                                const Observer& observer = {});
 
 }  // namespace contactd

@@ -13,11 +13,11 @@ namespace contactd {
 /// matrices are not symmetric, unlike those of any elastic body, because the effects of two elements on each other
 /// differ. Distances are those along the rows, as if these lay flat. The preconditioner, boxes and coarser grids are
 /// those of the flat surface.
-class TurnedOperator final : public InfluenceOperator {
+class RotatedOperator final : public InfluenceOperator {
    public:
     /// Throws InvalidArgument if the numbers of elements differ.
-    TurnedOperator(std::shared_ptr<const InfluenceOperator> flat, RowRotations rotations);
-    ~TurnedOperator() override;
+    RotatedOperator(std::shared_ptr<const InfluenceOperator> flat, RowRotations rotations);
+    ~RotatedOperator() override;
 
     std::size_t size() const override { return flat_->size(); }
     void normal(std::span<const double> pz, std::span<double> uz) const override;

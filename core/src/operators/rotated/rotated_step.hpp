@@ -37,13 +37,13 @@ class NormalIncrement {
 std::shared_ptr<const NormalIncrement> normal_increment(const MaterialPair& bodies, const Grid& grid, double shift,
                                                         const Observer& observer);
 
-/// Implements the tangential increment of TurnedOperator. Inverses and the coarser grid for first estimates are those
+/// Implements the tangential increment of RotatedOperator. Inverses and the coarser grid for first estimates are those
 /// of the flat surface.
-class TurnedStep final : public StepOperator {
+class RotatedStep final : public StepOperator {
    public:
     /// `flat` and `along_normal` are those of a flat surface. Throws InvalidArgument if the numbers of elements differ.
-    TurnedStep(std::shared_ptr<const StepOperator> flat, std::shared_ptr<const NormalIncrement> along_normal,
-               RowRotations rotations);
+    RotatedStep(std::shared_ptr<const StepOperator> flat, std::shared_ptr<const NormalIncrement> along_normal,
+                RowRotations rotations);
 
     std::size_t size() const override { return flat_->size(); }
     void tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,

@@ -1,4 +1,4 @@
-#include "turned_step.hpp"
+#include "rotated_step.hpp"
 
 #include <algorithm>
 #include <numbers>
@@ -65,48 +65,48 @@ std::shared_ptr<const NormalIncrement> normal_increment(const MaterialPair& bodi
     return std::make_shared<const NormalIncrement>(grid.nx, grid.ny, std::move(kernels));
 }
 
-TurnedStep::TurnedStep(std::shared_ptr<const StepOperator> flat, std::shared_ptr<const NormalIncrement> along_normal,
-                       RowRotations rotations)
+RotatedStep::RotatedStep(std::shared_ptr<const StepOperator> flat, std::shared_ptr<const NormalIncrement> along_normal,
+                         RowRotations rotations)
     : flat_(std::move(flat)), along_normal_(std::move(along_normal)), rotations_(std::move(rotations)) {
     if (flat_->size() != rotations_.size() || flat_->size() != along_normal_->size())
         throw InvalidArgument("flat", "has a different number of elements");
 }
 
-RowComponents TurnedStep::of_tangential(std::span<const double> px, std::span<const double> py,
-                                        std::span<double> ux) const {
+RowComponents RotatedStep::of_tangential(std::span<const double> px, std::span<const double> py,
+                                         std::span<double> ux) const {
     RowComponents u(size());
     flat_->tangential(px, py, ux, u.s);
     if (flat_->coupled()) along_normal_->of_tangential(px, py, u.z);
     return u;
 }
 
-RowComponents TurnedStep::of_normal(std::span<const double> pz, std::span<double> ux) const {
+RowComponents RotatedStep::of_normal(std::span<const double> pz, std::span<double> ux) const {
     RowComponents u(size());
     flat_->tangential_of_normal(pz, ux, u.s);
     along_normal_->of_normal(pz, u.z);
     return u;
 }
 
-void TurnedStep::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
-                            std::span<double> uy) const {
+void RotatedStep::tangential(std::span<const double> px, std::span<const double> py, std::span<double> ux,
+                             std::span<double> uy) const {
     const RowComponents of_cosine = of_tangential(rotations_.times_cosine(px), rotations_.times_cosine(py), ux),
                         of_sine = of_tangential(rotations_.times_sine(px), rotations_.times_sine(py), ux);
     rotations_.along_s(of_cosine, of_sine, uy);
     of_tangential(px, py, ux);
 }
 
-void TurnedStep::tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const {
+void RotatedStep::tangential_of_normal(std::span<const double> pz, std::span<double> ux, std::span<double> uy) const {
     const RowComponents of_cosine = of_normal(rotations_.times_cosine(pz), ux),
                         of_sine = of_normal(rotations_.times_sine(pz), ux);
     rotations_.along_s(of_cosine, of_sine, uy);
     of_normal(pz, ux);
 }
 
-std::shared_ptr<const StepOperator> TurnedStep::on(const ElementBox& box) const {
+std::shared_ptr<const StepOperator> RotatedStep::on(const ElementBox& box) const {
     auto flat = flat_->on(box);
     if (!flat) return nullptr;
-    return std::make_shared<const TurnedStep>(std::move(flat), along_normal_->on(box.nx, box.ny),
-                                              rotations_.on(box.first_y, box.ny, box.nx));
+    return std::make_shared<const RotatedStep>(std::move(flat), along_normal_->on(box.nx, box.ny),
+                                               rotations_.on(box.first_y, box.ny, box.nx));
 }
 
 }  // namespace contactd

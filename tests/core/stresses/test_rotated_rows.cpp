@@ -61,9 +61,9 @@ TEST_CASE("Stresses below rows of one inclination are those below a plane") {
 TEST_CASE("Stresses below curved rows do not depend on the axes that their angles are from") {
     const SurfaceTractions tractions = random_tractions();
     const Values angles{-0.5, -0.2, 0.1, 0.4, 0.9};
-    Values turned = angles;
-    for (double& angle : turned) angle += 1.3;
-    check_equal(curved(tractions, angles, block), curved(tractions, turned, block));
+    Values rotated = angles;
+    for (double& angle : rotated) angle += 1.3;
+    check_equal(curved(tractions, angles, block), curved(tractions, rotated, block));
 }
 
 TEST_CASE("The surface of a curved row carries its own tractions and no others") {
@@ -89,9 +89,9 @@ TEST_CASE("A pressure on a row at a right angle shears and does not press the ro
     const double right = std::acos(-1) / 2;
     const StressBlock below_last{{0}, {0.8}, {-0.3, -1}};
     Observer observer;
-    // The row of the load leans by a right angle, so that its outward normal is the tangent of the others turned back.
-    const SubsurfaceStress turned = curved(pressure, {0 - right, 0, 0, 0, 0}, below_last);
-    check_equal(turned, subsurface_stress(grid, shear, 0.28, below_last, observer));
+    // The row of the load leans by a right angle, so that its outward normal is the tangent of the others rotated back.
+    const SubsurfaceStress rotated = curved(pressure, {0 - right, 0, 0, 0, 0}, below_last);
+    check_equal(rotated, subsurface_stress(grid, shear, 0.28, below_last, observer));
 }
 
 TEST_CASE("Points and blocks below curved rows have equal stresses") {

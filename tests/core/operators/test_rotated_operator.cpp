@@ -3,7 +3,7 @@
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <cmath>
 
-#include "bodies/turned_influence.hpp"
+#include "bodies/rotated_displacement_influence.hpp"
 #include "contact/contact_cases.hpp"
 
 using namespace contactd;
@@ -36,7 +36,7 @@ Values angles_of(int ny) {
     return angles;
 }
 
-/// Displacements of the first element's box by each load in turn, turned with the rotation between both rows.
+/// Displacements of the first element's box by each load in turn, rotated with the rotation between both rows.
 std::vector<Vector> dense(const IcTable& flat, const Grid& grid, const Values& angles, const std::vector<Vector>& loads,
                           int ahead = 0) {
     std::vector<Vector> u(loads.size());
@@ -62,14 +62,14 @@ IcTable flat_table(const Grid& grid) {
 
 }  // namespace
 
-TEST_CASE("Turned displacements are those along the loaded row, in the axes of the observed one") {
+TEST_CASE("Rotated displacements are those along the loaded row, in the axes of the observed one") {
     const Grid grid = Grid::of_elements(6, 5, 1, 0.7);
     const Values angles = angles_of(grid.ny);
     const std::size_t n = grid.size();
-    const ContactInfluence influence = turned_influence(rolling_problem(grid, 1), angles);
-    const InfluenceOperator& turned = *influence.current;
-    REQUIRE(turned.size() == n);
-    CHECK_FALSE(turned.is_symmetric());
+    const ContactInfluence influence = rotated_displacement_influence(rolling_problem(grid, 1), angles);
+    const InfluenceOperator& rotated = *influence.current;
+    REQUIRE(rotated.size() == n);
+    CHECK_FALSE(rotated.is_symmetric());
     const Values px = random_values(n, 1), ps = random_values(n, 2), pz = random_values(n, 3);
     std::vector<Vector> tangential, normal;
     for (std::size_t e = 0; e < n; ++e) {
@@ -80,10 +80,10 @@ TEST_CASE("Turned displacements are those along the loaded row, in the axes of t
     const std::vector<Vector> of_tangential = dense(flat, grid, angles, tangential),
                               of_normal = dense(flat, grid, angles, normal);
     Values ux(n), us(n), uz(n), cross_x(n), cross_s(n), cross_z(n);
-    turned.tangential(px, ps, ux, us);
-    turned.normal(pz, uz);
-    turned.tangential_of_normal(pz, cross_x, cross_s);
-    turned.normal_of_tangential(px, ps, cross_z);
+    rotated.tangential(px, ps, ux, us);
+    rotated.normal(pz, uz);
+    rotated.tangential_of_normal(pz, cross_x, cross_s);
+    rotated.normal_of_tangential(px, ps, cross_z);
     for (std::size_t e = 0; e < n; ++e) {
         CHECK_THAT(ux[e], WithinAbs(of_tangential[e].x, 1e-12));
         CHECK_THAT(us[e], WithinAbs(of_tangential[e].s, 1e-12));
@@ -94,11 +94,11 @@ TEST_CASE("Turned displacements are those along the loaded row, in the axes of t
     }
 }
 
-TEST_CASE("What a step changes of turned displacements is their difference to those an element ahead") {
+TEST_CASE("What a step changes of rotated displacements is their difference to those an element ahead") {
     const Grid grid = Grid::of_elements(5, 4, 1, 0.7);
     const Values angles = angles_of(grid.ny);
     const std::size_t n = grid.size();
-    const ContactInfluence influence = turned_influence(rolling_problem(grid, 1), angles);
+    const ContactInfluence influence = rotated_displacement_influence(rolling_problem(grid, 1), angles);
     REQUIRE(influence.increment);
     const Values px = random_values(n, 1), ps = random_values(n, 2), pz = random_values(n, 3);
     std::vector<Vector> all;
@@ -114,10 +114,10 @@ TEST_CASE("What a step changes of turned displacements is their difference to th
     }
 }
 
-TEST_CASE("Turned displacements on a part of the rows are those of the whole") {
+TEST_CASE("Rotated displacements on a part of the rows are those of the whole") {
     const Grid grid = Grid::of_elements(6, 5, 1, 0.7);
     const ElementBox box{1, 2, 4, 3};
-    const ContactInfluence influence = turned_influence(rolling_problem(grid, 0.3), angles_of(grid.ny));
+    const ContactInfluence influence = rotated_displacement_influence(rolling_problem(grid, 0.3), angles_of(grid.ny));
     const auto part = influence.current->boxes()->influence(box);
     const auto step = influence.increment->on(box);
     REQUIRE(step);
