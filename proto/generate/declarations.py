@@ -5,7 +5,10 @@ with a name have a special form in messages, and so do objects none of whose fie
 
 `x-unit`      unit of a number
 `x-parity`    odd: the sign of the value is reversed in the mirror image of a wheel
-`x-fmu`       the number's role in FMUs: parameter, input or output
+`x-fmu`       the role of a number or flag in FMUs: parameter, tunable, input or output; or an object:
+               role, name, start, says  of its variable if name, start or description differ; {body} is upper or lower
+               enumeration  of a list of words: the name of its enumeration;  name: its variable;  before, after: words
+                            that only FMUs have
 `x-derived`   a field that follows from others, and is not a member of the struct
 `x-cpp-only`  members of the struct that are not fields
 `x-cpp-at`    the path to the field's member, if its name differs from that of the field: members, members of other structs as
@@ -126,7 +129,7 @@ class Declarations:
         target: Any = self._documents[file]
         for step in filter(None, pointer.split("/")):
             target = target[step]
-        there = {key: value for key, value in self.resolved(target).items() if key not in ("x-cpp-at", "x-derived")}
+        there = {key: value for key, value in self.resolved(target).items() if key not in ("x-cpp-at", "x-derived", "x-fmu")}
         return {**there, **{key: value for key, value in schema.items() if key != "$ref"}}
 
     def _declare(self, schema: Schema) -> None:

@@ -16,8 +16,8 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(contact_variables, name);
 }
 
-enum { steady, transient, shift };  // motion_keywords
-enum { full };                      // model_keywords
+enum { steady, transient, shift };  // enumerations::motion
+enum { full };                      // enumerations::model
 
 /// Arrays that a step may pass on to the next.
 constexpr struct {
@@ -102,9 +102,8 @@ void ContactModel::step(Values& values, double size) {
 
 void ContactModel::set_load(contactd_contact* c, const Values& values, int motion, std::optional<double> size) {
     const bool by_radii = values.whole(at("gap.kind")) == 0, by_force = values.whole(at("load.kind")) == 0;
-    set_field(c, by_radii ? "gap.paraboloid.Rx" : "gap.semi_axes.a", values[by_radii ? at("gap.Rx") : at("gap.a")]);
-    set_field(c, by_radii ? "gap.paraboloid.Ry" : "gap.semi_axes.b", values[by_radii ? at("gap.Ry") : at("gap.b")]);
-    set_field(c, by_force ? "Fn" : "approach", values[by_force ? at("load.Fn") : at("load.approach")]);
+    set_fields(c, values, by_radii ? "gap.paraboloid." : "gap.semi_axes.");
+    set_fields(c, values, by_force ? "Fn" : "approach");
     if (values.is(at("friction.none"))) return;
     set_field(c, "friction.mu", values[at("friction.mu")]);
     constexpr std::size_t law = at("friction.kinetic.law");
@@ -134,10 +133,7 @@ void ContactModel::set_shift(contactd_contact* c, const Values& values, std::opt
 void ContactModel::set_rolling(contactd_contact* c, const Values& values, bool is_steady, std::optional<double> size) {
     const double velocity = values[at("motion.velocity")];
     set_keyword(c, "friction.rolling.kind", is_steady ? "steady" : "transient");
-    set_field(c, "friction.rolling.xi", values[at("motion.xi")]);
-    set_field(c, "friction.rolling.eta", values[at("motion.eta")]);
-    set_field(c, "friction.rolling.phi", values[at("motion.phi")]);
-    set_field(c, "friction.rolling.velocity", velocity);
+    set_fields(c, values, "friction.rolling.");
     double dq = 0;
     if (!is_steady && size) {
         // The bodies roll for the duration of the step, in rolling steps of at most one element.
@@ -149,33 +145,17 @@ void ContactModel::set_rolling(contactd_contact* c, const Values& values, bool i
         set_field(c, "friction.rolling.steps", std::fmax(steps, 1));
         dq = distance / std::fmax(steps, 1);
     }
-    set_field(c, "friction.rolling.chi", values[at("motion.chi")]);
     set_field(c, "friction.rolling.dq", dq);
 }
 
 void ContactModel::read(contactd_contact* c, Values& values) {
-    static constexpr std::pair<const char*, std::size_t> outputs[] = {
-        {"forces.Fn", at("Fn")},
-        {"forces.Fx", at("Fx")},
-        {"forces.Fy", at("Fy")},
-        {"forces.Mz", at("Mz")},
-        {"approach", at("approach")},
-        {"pmax", at("pmax")},
-        {"area.contact", at("area.contact")},
-        {"area.adhesion", at("area.adhesion")},
-        {"area.slip", at("area.slip")},
-        {"motion.xi", at("xi")},
-        {"motion.eta", at("eta")},
-        {"frictional_power", at("power")},
-        {"frictional_work", at("work")},
-        {"temperature.largest", at("temperature.largest")},
-        {"temperature.rise", at("temperature.rise")},
-        {"temperature.heat_upper", at("temperature.heat_upper")},
-        {"temperature.heat_lower", at("temperature.heat_lower")},
-        {"rolling_resistance.force", at("resistance")},
-        {"converged", at("converged")},
-    };
-    for (const auto& [path, place] : outputs) values[place] = read_field(c, path);
+    for (std::size_t k = 0; k < contact_variables.size(); ++k)
+        if (const Variable& variable = contact_variables[k]; variable.role == Role::output && !variable.path.empty())
+            values[k] = read_field(c, std::string(variable.path));
+    for (const char* temperature : {"largest", "rise", "heat_upper", "heat_lower"}) {
+        const std::string name = std::string("temperature.") + temperature;
+        values[reference_in(contact_variables, name)] = read_field(c, name);
+    }
     values[at("patches")] = values[at("area.contact")] > 0;
 }
 

@@ -15,15 +15,13 @@ consteval std::size_t at(std::string_view name) {
 /// Positions of a body's variables in the list, and the path of the body.
 struct BodyPlaces {
     std::string_view path;
-    std::size_t G, nu, rigid, coefficients, thickness, layer_G, layer_nu, creep_f, creep_tau;
+    std::size_t G, nu, rigid, coefficients, thickness, layer_G, layer_nu;
 };
 constexpr BodyPlaces bodies[] = {
     {"bodies.upper", at("upper.G"), at("upper.nu"), at("upper.rigid"), at("upper.coefficients"),
-     at("upper.layer.thickness"), at("upper.layer.G"), at("upper.layer.nu"), at("upper.viscoelastic.f"),
-     at("upper.viscoelastic.tau")},
+     at("upper.layer.thickness"), at("upper.layer.G"), at("upper.layer.nu")},
     {"bodies.lower", at("lower.G"), at("lower.nu"), at("lower.rigid"), at("lower.coefficients"),
-     at("lower.layer.thickness"), at("lower.layer.G"), at("lower.layer.nu"), at("lower.viscoelastic.f"),
-     at("lower.viscoelastic.tau")},
+     at("lower.layer.thickness"), at("lower.layer.G"), at("lower.layer.nu")},
 };
 
 void set_material(contactd_contact* c, const Values& values, const BodyPlaces& of, const std::string& path) {
@@ -43,10 +41,7 @@ void set_up_body(contactd_contact* c, const Values& values, const BodyPlaces& of
         return set_material(c, values, of, ics + ".base");
     }
     set_material(c, values, of, body);
-    if (kind == 4) {
-        set_field(c, body + ".viscoelastic.f", values[of.creep_f]);
-        set_field(c, body + ".viscoelastic.tau", values[of.creep_tau]);
-    }
+    if (kind == 4) set_fields(c, values, body + ".viscoelastic.");
     if (kind == 0 || kind == 4) return;
     const bool block = kind == 2;
     set_keyword(c, ics + ".source", "fem");
@@ -62,9 +57,16 @@ void set_solver(contactd_contact* c, const std::string& name, double tolerance, 
 
 }  // namespace
 
+void set_fields(contactd_contact* c, const Values& values, std::string_view group) {
+    for (std::size_t at = 0; at < contact_variables.size(); ++at) {
+        const Variable& variable = contact_variables[at];
+        if (variable.role == Role::output || !variable.path.starts_with(group)) continue;
+        if (!variable.zero_is_absent || values[at] != 0) set_field(c, std::string(variable.path), values[at]);
+    }
+}
+
 void set_up(contactd_contact* c, const Values& values) {
-    for (const char* size : {"grid.nx", "grid.ny", "grid.dx", "grid.dy"})
-        set_field(c, size, values[reference_in(contact_variables, size)]);
+    set_fields(c, values, "grid.");
     for (const BodyPlaces& body : bodies) set_up_body(c, values, body);
     set_keyword(c, "model", keyword_of(contact_variables[at("model")], values[at("model")]));
     set_field(c, "accept_unconverged", values[at("accept_unconverged")]);

@@ -3,14 +3,10 @@
 
 #include <array>
 
+#include "generated/enumerations.hpp"
 #include "variable.hpp"
 
 namespace contactd::fmu {
-
-inline constexpr std::string_view model_keywords[] = {"full", "hertz", "fastsim", "fastrip", "polach"};
-inline constexpr Enumeration models{"Model", model_keywords};
-inline constexpr std::string_view kinetic_keywords[] = {"none", "linear", "exponential", "rational"};
-inline constexpr Enumeration kinetic_laws{"KineticFriction", kinetic_keywords};
 
 inline constexpr auto common_variables = std::to_array<Variable>({
     {.name = "time", .role = Role::time, .unit = "s", .says = "Time, at the end of the last step."},
@@ -26,16 +22,14 @@ inline constexpr auto common_variables = std::to_array<Variable>({
     at_path(
         "setup.model",
         keyword(
-            "model", models, 0,
+            "model", enumerations::model, 0,
             "full: boundary elements. hertz: closed forms. fastsim, fastrip, polach: Hertz, and theories of rolling.")),
-    number("model_number", "model", models,
-           "Overrides model: 0 full, 1 hertz, 2 fastsim, 3 fastrip, 4 polach; -1: model applies."),
+    number("model_number", "model", enumerations::model),
     at_path("setup.friction.mu", real("friction.mu", Role::input, "", 0.3, "Coefficient of (static) friction.")),
     boolean("friction.none", Role::parameter, false, "True for frictionless contact."),
-    keyword("friction.kinetic.law", kinetic_laws, 0, "Law by which friction decreases with the slip velocity."),
-    number("friction.kinetic.law_number", "friction.kinetic.law", kinetic_laws,
-           "Overrides friction.kinetic.law: 0 none, 1 linear, 2 exponential, 3 rational; -1: friction.kinetic.law "
-           "applies."),
+    keyword("friction.kinetic.law", enumerations::kinetic_friction, 0,
+            "Law by which friction decreases with the slip velocity."),
+    number("friction.kinetic.law_number", "friction.kinetic.law", enumerations::kinetic_friction),
     real("friction.kinetic.mu", Role::tunable, "", 0.2, "Coefficient at high slip velocities. Used with a law."),
     real("friction.kinetic.slip_velocity", Role::tunable, "mm/s", 1000, "Slip velocity of the law."),
     real("friction.kinetic.second.fall", Role::parameter, "", 0,

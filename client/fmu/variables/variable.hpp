@@ -17,6 +17,7 @@ enum class Role { time, parameter, tunable, input, output };
 struct Enumeration {
     std::string_view name;
     std::span<const std::string_view> keywords;
+    std::string_view overrides{};  ///< what the integer for its variable says
 };
 
 /// A variable's value reference is its index in its list.
@@ -109,6 +110,9 @@ constexpr Variable number(std::string_view name, std::string_view as, const Enum
             .enumeration = &of,
             .same_as = as,
             .says = says};
+}
+constexpr Variable number(std::string_view name, std::string_view as, const Enumeration& of) {
+    return number(name, as, of, of.overrides);
 }
 
 /// Returns the keyword for a value of such a variable.

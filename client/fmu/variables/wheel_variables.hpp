@@ -6,13 +6,8 @@
 
 namespace contactd::fmu {
 
-inline constexpr std::string_view side_keywords[] = {"left", "right"};
-inline constexpr Enumeration sides{"Side", side_keywords};
 inline constexpr std::string_view coordinate_keywords[] = {"track", "rail", "wheelset"};
 inline constexpr Enumeration coordinate_systems{"Coordinates", coordinate_keywords};
-inline constexpr std::string_view conformal_keywords[] = {"off", "half_space", "rotated",
-                                                          "fem", "auto",       "rotated_displacements"};
-inline constexpr Enumeration conformal_kinds{"Conformal", conformal_keywords};
 inline constexpr std::string_view search_keywords[] = {"locus", "mesh"};
 inline constexpr Enumeration searches{"Search", search_keywords};
 inline constexpr std::string_view rigid_slip_keywords[] = {"plane", "surfaces"};
@@ -27,8 +22,8 @@ inline constexpr int patches_reported = 3;
 
 namespace detail {
 inline constexpr auto wheel_alone = std::to_array<Variable>({
-    at_path("setup.side", keyword("side", sides, 1, "Side of the wheelset, in the direction of travel.")),
-    number("side_number", "side", sides, "Overrides side: 0 left, 1 right; -1: side applies."),
+    at_path("setup.side", keyword("side", enumerations::side, 1, "Side of the wheelset, in the direction of travel.")),
+    number("side_number", "side", enumerations::side),
     text("wheel.profile", "S1002",
          "S1002, cone or arc, in upper or lower case, or a file (.prw, .whl, or two columns): a path, a URI, or a name "
          "in the FMU's resources."),
@@ -111,11 +106,9 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
     keyword_at("setup.patches.search", searches,
                boolean("mesh_search", Role::parameter, false,
                        "True to search for contacts on a mesh seen from above instead of along a locus.")),
-    at_path("setup.conformal", keyword("conformal", conformal_kinds, 0,
+    at_path("setup.conformal", keyword("conformal", enumerations::conformal, 0,
                                        "Curvature of contacts across the track, and the coefficients for it.")),
-    number("conformal_number", "conformal", conformal_kinds,
-           "Overrides conformal: 0 off, 1 half_space, 2 rotated, 3 fem, 4 auto, 5 rotated_displacements; -1: conformal "
-           "applies."),
+    number("conformal_number", "conformal", enumerations::conformal),
     keyword_at("setup.rigid_slip", rigid_slips,
                boolean("slip_of_surfaces", Role::parameter, false,
                        "True to compute the slip of elements from the motion of both surfaces instead of creepages.")),
