@@ -25,7 +25,7 @@ WIDTH = 120
 NAMES = {
     "Sequence": "collections.abc", "Mapping": "collections.abc", "dataclass": "dataclasses", "field": "dataclasses",
     "replace": "dataclasses", "KW_ONLY": "dataclasses", "TYPE_CHECKING": "typing", "Any": "typing", "Literal": "typing", "TypedDict": "typing",
-    "Generic": "typing", "PathLike": "os", "npt": "import numpy.typing as npt", "np": "import numpy as np", "public": "../refusals",
+    "PathLike": "os", "npt": "import numpy.typing as npt", "np": "import numpy as np", "public": "../refusals",
 }  # fmt: skip
 UNPACK = "\nif TYPE_CHECKING:\n    from typing_extensions import Unpack\n"
 REPLACE = '''

@@ -177,12 +177,12 @@ def test_a_single_element_can_be_solved(shared):
 def test_a_solve_brings_the_arrays_that_it_is_asked_for(shared, solution):
     forces, pressure = shared.solve(CATTANEO, fields=[]), shared.solve(CATTANEO, fields="pressure")
     assert (forces.forces, forces.area, forces.motion) == (solution.forces, solution.area, solution.motion)
-    assert (forces.pressure, forces.element_division, forces.slip_x) == (None, None, None)
+    assert not any(hasattr(forces, name) for name in ("pressure", "element_division", "slip_x"))
     np.testing.assert_array_equal(pressure.pressure, solution.pressure)
-    assert pressure.traction_x is None
+    assert not hasattr(pressure, "traction_x")
     slips = shared.solve_many([CATTANEO, CATTANEO.replace(friction=None)], fields=["slip_x", "traction_x"])
     np.testing.assert_array_equal(slips[0].slip_x, solution.slip_x)
-    assert (slips[1].slip_x, slips[1].traction_x.any(), slips[1].pressure) == (None, False, None)
+    assert (slips[1].slip_x, slips[1].traction_x.any(), hasattr(slips[1], "pressure")) == (None, False, False)
 
 
 @pytest.mark.slow  # builds the table of a block with the paper's finest mesh, and solves on 160 x 160 elements

@@ -95,7 +95,7 @@ def test_arrays_come_as_asked_for(shared):
     assert patch.gap.min() == 0
     assert solution.pressure.sum() * grid.dx * grid.dy == pytest.approx(solution.forces.Fn, rel=1e-10)
     some = shared.wheel_rail(COARSE, CENTRED, fields="pressure").patches[0]
-    assert (some.solution.traction_x, some.gap) == (None, None)
+    assert not hasattr(some.solution, "traction_x") and some.gap is None
     np.testing.assert_array_equal(some.solution.pressure, solution.pressure)
 
 

@@ -110,10 +110,10 @@ def test_steps_that_follow_each_other_need_fewer_solves(shared, wheel):
 
 
 def test_arrays_come_as_asked_for(wheel):
-    assert wheel.step(at(0.0)).patches[0].solution.pressure is None
+    assert not hasattr(wheel.step(at(0.0)).patches[0].solution, "pressure")
     (patch,) = wheel.step(at(0.0), fields="pressure", gap=True).patches
     assert patch.solution.pressure.shape == patch.gap.shape == patch.place.grid.shape
-    assert patch.solution.traction_x is None
+    assert not hasattr(patch.solution, "traction_x")
 
 
 @pytest.mark.parametrize(("y", "z"), [(0.0, 0.25), (6.8, 0.25), (0.0, -5.0)], ids=["tread", "flange", "lifted"])

@@ -9,7 +9,7 @@ from typing import Any, get_args
 
 import click
 
-from contactd import ContactSolution, MissingExtra, PartialSolution
+from contactd import ContactSolution, MissingExtra
 from contactd.values.generated.result import Field
 from contactd.wheel_rail import WheelRailSolution
 
@@ -65,7 +65,7 @@ def need(module: str, what: str, extra: str) -> None:
         raise click.UsageError(str(MissingExtra(f"Writing {what}", module, extra, f"python3-{module}"))) from None
 
 
-def save(path: Path, answer: dict[str, Any], read: Callable[[], ContactSolution | PartialSolution | WheelRailSolution]) -> None:
+def save(path: Path, answer: dict[str, Any], read: Callable[[], ContactSolution | WheelRailSolution]) -> None:
     """Saves `answer` as on the wire; `read` converts it to the Python solution."""
     if path.suffix == ".json":
         write_text(path, json.dumps(plain_json(answer), allow_nan=False) + "\n")

@@ -19,6 +19,7 @@ Units are N and mm, or any consistent system. contactd.errors shows the hierarch
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
+from warnings import warn
 
 from ._version import __version__
 from .callable_wheel_rail import WheelRailModule
@@ -100,9 +101,9 @@ from .values.generated.wear_laws import (
     ZoboryWear,
 )
 from .values.generated.wheel_rail.step_input import WheelRailStepInput
-from .values.partial_solution import PartialSolution, SavedState, StepSolution
 from .values.registry import register
 from .values.solution import ContactSolution
+from .values.step_solution import SavedState, StepSolution
 from .values.tables import IcTable, TableIcs, combined_modulus
 from .values.wheel_rail.comparison import ComparedModel, ModelComparison, ModelErrors
 from .values.wheel_rail.passage_wear import PassageWear
@@ -170,7 +171,6 @@ __all__ = [
     "ModelErrors",
     "NotFound",
     "Paraboloid",
-    "PartialSolution",
     "Passage",
     "PassageWear",
     "PermissionDenied",
@@ -252,13 +252,16 @@ wheel_rail: WheelRailModule = _wheel_rail_module  # type: ignore[assignment]
 
 
 def __getattr__(name: str) -> Any:
-    """Imports the names that need asyncio, and files of CONTACT, on first use."""
+    """Imports the names that need asyncio, and files of CONTACT, on first use; warns of names that have changed."""
     if name in ("AsyncClient", "AsyncSession", "AsyncWheelRailSession"):
         from . import aio
 
         return getattr(aio, name)
     if name == "contact_files":
         return import_module(f"{__name__}.{name}")
+    if name == "PartialSolution":
+        warn("PartialSolution is an alias of ContactSolution; use ContactSolution.", DeprecationWarning, stacklevel=2)
+        return ContactSolution
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 

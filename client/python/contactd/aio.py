@@ -31,8 +31,8 @@ from .values.generated.problem import ContactProblem
 from .values.generated.records import StoredIc
 from .values.generated.step_input import StepInput
 from .values.generated.wheel_rail.step_input import WheelRailStepInput
-from .values.partial_solution import PartialSolution, StepSolution
 from .values.solution import ContactSolution, Fields
+from .values.step_solution import StepSolution
 from .values.wheel_rail.solution import WheelRailStepSolution
 
 if TYPE_CHECKING:
@@ -180,34 +180,6 @@ class AsyncClient(
             for table in tables:
                 yield table
 
-    @overload
-    async def solve(
-        self,
-        problem: ContactProblem | Gap | None = None,
-        upper: Body | None = None,
-        lower: Body | None = None,
-        /,
-        *,
-        fields: None = None,
-        timeout: float | None = None,
-        on_progress: ProgressCallback | None = None,
-        progress: bool = False,
-        **problem_fields: Unpack[ProblemFields],
-    ) -> ContactSolution: ...
-    @overload
-    async def solve(
-        self,
-        problem: ContactProblem | Gap | None = None,
-        upper: Body | None = None,
-        lower: Body | None = None,
-        /,
-        *,
-        fields: Fields,
-        timeout: float | None = None,
-        on_progress: ProgressCallback | None = None,
-        progress: bool = False,
-        **problem_fields: Unpack[ProblemFields],
-    ) -> PartialSolution: ...
     @public
     async def solve(
         self,
@@ -221,30 +193,10 @@ class AsyncClient(
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
         **problem_fields: Unpack[ProblemFields],
-    ) -> ContactSolution | PartialSolution:
+    ) -> ContactSolution:
         """Solves as Client.solve does."""
         return await self._run(solved(self, problem, upper, lower, problem_fields, fields, timeout, on_progress, progress))
 
-    @overload
-    async def solve_many(
-        self,
-        problems: Iterable[ContactProblem],
-        *,
-        fields: None = None,
-        timeout: float | None = None,
-        on_progress: ProgressCallback | None = None,
-        progress: bool = False,
-    ) -> list[ContactSolution | StatusError]: ...
-    @overload
-    async def solve_many(
-        self,
-        problems: Iterable[ContactProblem],
-        *,
-        fields: Fields,
-        timeout: float | None = None,
-        on_progress: ProgressCallback | None = None,
-        progress: bool = False,
-    ) -> list[PartialSolution | StatusError]: ...
     @public
     async def solve_many(
         self,
@@ -254,7 +206,7 @@ class AsyncClient(
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
-    ) -> list[Any]:
+    ) -> list[ContactSolution | StatusError]:
         """Solves as Client.solve_many does."""
         return await self._run(solved_many(self, problems, fields, timeout, on_progress, progress))
 

@@ -31,8 +31,8 @@ from .values.generated.problem import ContactProblem
 from .values.generated.records import StoredIc
 from .values.generated.step_input import StepInput
 from .values.generated.wheel_rail.step_input import WheelRailStepInput
-from .values.partial_solution import PartialSolution, StepSolution
 from .values.solution import ContactSolution, Fields
+from .values.step_solution import StepSolution
 from .values.wheel_rail.solution import WheelRailStepSolution
 
 if TYPE_CHECKING:
@@ -142,34 +142,6 @@ class Client(
             tables, after = self._page_of_stored_ics(after, evidence, timeout)
             yield from tables
 
-    @overload
-    def solve(
-        self,
-        problem: ContactProblem | Gap | None = None,
-        upper: Body | None = None,
-        lower: Body | None = None,
-        /,
-        *,
-        fields: None = None,
-        timeout: float | None = None,
-        on_progress: ProgressCallback | None = None,
-        progress: bool = False,
-        **problem_fields: Unpack[ProblemFields],
-    ) -> ContactSolution: ...
-    @overload
-    def solve(
-        self,
-        problem: ContactProblem | Gap | None = None,
-        upper: Body | None = None,
-        lower: Body | None = None,
-        /,
-        *,
-        fields: Fields,
-        timeout: float | None = None,
-        on_progress: ProgressCallback | None = None,
-        progress: bool = False,
-        **problem_fields: Unpack[ProblemFields],
-    ) -> PartialSolution: ...
     @public
     def solve(
         self,
@@ -183,7 +155,7 @@ class Client(
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
         **problem_fields: Unpack[ProblemFields],
-    ) -> ContactSolution | PartialSolution:
+    ) -> ContactSolution:
         """Solves a ContactProblem. Give the problem, its gap and bodies, or its fields. Check `converged` of the
         solution::
 
@@ -196,31 +168,12 @@ class Client(
         contact reaches the border, or on a smaller one if the contact has few elements. `grid` of the solution is the
         grid that was used.
 
-        `fields` names the arrays to return, or a single one; the others are None. ``fields=[]`` returns only forces,
-        areas and other results that are not arrays, which is faster. Without `fields`, all arrays are returned.
+        `fields` names the arrays to return, or a single one; access to another raises AttributeError. ``fields=[]``
+        returns only forces, areas and other results that are not arrays, which is faster. Without `fields`, all arrays
+        are returned.
         """
         return self._run(solved(self, problem, upper, lower, problem_fields, fields, timeout, on_progress, progress))
 
-    @overload
-    def solve_many(
-        self,
-        problems: Iterable[ContactProblem],
-        *,
-        fields: None = None,
-        timeout: float | None = None,
-        on_progress: ProgressCallback | None = None,
-        progress: bool = False,
-    ) -> list[ContactSolution | StatusError]: ...
-    @overload
-    def solve_many(
-        self,
-        problems: Iterable[ContactProblem],
-        *,
-        fields: Fields,
-        timeout: float | None = None,
-        on_progress: ProgressCallback | None = None,
-        progress: bool = False,
-    ) -> list[PartialSolution | StatusError]: ...
     @public
     def solve_many(
         self,
@@ -230,7 +183,7 @@ class Client(
         timeout: float | None = None,
         on_progress: ProgressCallback | None = None,
         progress: bool = False,
-    ) -> list[Any]:
+    ) -> list[ContactSolution | StatusError]:
         """Solves 1 to 1000 problems in one message, on all workers of the daemon. Returns the answers in the order of
         the problems.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING
 
 import numpy.typing as npt
 
@@ -12,7 +12,6 @@ from .refusals import public
 from .transport.shared_client import shared_client
 from .values.creep_curves import CreepCurve
 from .values.generated.problem import ContactProblem
-from .values.partial_solution import PartialSolution
 from .values.solution import ContactSolution, Fields
 
 if TYPE_CHECKING:
@@ -23,32 +22,6 @@ if TYPE_CHECKING:
 __all__ = ["creep_curve", "solve"]
 
 
-@overload
-def solve(
-    problem: ContactProblem | Gap | None = None,
-    upper: Body | None = None,
-    lower: Body | None = None,
-    /,
-    *,
-    fields: None = None,
-    timeout: float | None = None,
-    on_progress: ProgressCallback | None = None,
-    progress: bool = False,
-    **problem_fields: Unpack[ProblemFields],
-) -> ContactSolution: ...
-@overload
-def solve(
-    problem: ContactProblem | Gap | None = None,
-    upper: Body | None = None,
-    lower: Body | None = None,
-    /,
-    *,
-    fields: Fields,
-    timeout: float | None = None,
-    on_progress: ProgressCallback | None = None,
-    progress: bool = False,
-    **problem_fields: Unpack[ProblemFields],
-) -> PartialSolution: ...
 @public
 def solve(
     problem: ContactProblem | Gap | None = None,
@@ -61,7 +34,7 @@ def solve(
     on_progress: ProgressCallback | None = None,
     progress: bool = False,
     **problem_fields: Unpack[ProblemFields],
-) -> ContactSolution | PartialSolution:
+) -> ContactSolution:
     """Solves a contact problem with the default client. Arguments, answer and errors are those of Client.solve::
 
         solution = contactd.solve(Paraboloid(50, 50), steel, Fn=100)  # radii (mm), both bodies of steel, force (N)
@@ -69,11 +42,10 @@ def solve(
 
     See `default_client` for the client. Lengths are in mm, forces in N, pressures in N/mm^2.
     """
-    client: Any = shared_client()  # This function has the same overloads.
-    answer: ContactSolution | PartialSolution = client.solve(
+    solution: ContactSolution = shared_client().solve(
         problem, upper, lower, fields=fields, timeout=timeout, on_progress=on_progress, progress=progress, **problem_fields
     )
-    return answer
+    return solution
 
 
 @public

@@ -9,7 +9,7 @@ import numpy as np
 from .errors import MissingExtra
 from .values.generated.grid import Grid
 from .values.generated.subsurface import SubsurfaceStress
-from .values.solution import Solution
+from .values.solution import ContactSolution
 from .values.subsurface_methods import INVARIANTS
 from .values.tables import IcTable
 
@@ -54,14 +54,14 @@ def _places(grid: Grid) -> dict[str, Any]:
     return {"y": _length("y", grid.y), "x": _length("x", grid.x)}
 
 
-def solution_dataset(solution: Solution[Any, Any]) -> xarray.Dataset:
-    """Implements Solution.to_xarray."""
+def solution_dataset(solution: ContactSolution) -> xarray.Dataset:
+    """Implements ContactSolution.to_xarray."""
     if solution.grid is None:
         raise ValueError("grid is None; only solutions of a client have coordinates")
     arrays: dict[str, Any] = {
         name: (("y", "x"), values, {"long_name": words, **({"units": unit} if unit else {})})
         for name, (words, unit) in _ARRAYS.items()
-        if (values := getattr(solution, name)) is not None
+        if (values := getattr(solution, name, None)) is not None
     }
     arrays |= {name: ((), getattr(solution, name), {"units": unit}) for name, unit in _NUMBERS.items()}
     attributes = {"converged": int(solution.converged), "warnings": list(solution.warnings)}

@@ -78,7 +78,7 @@ def test_the_answer_is_that_on_the_same_grid_given(client):
 
 def test_fields_alone_serve_as_well(client):
     assert client.solve(gap=BALL, upper=steel, Fn=100).grid == client.solve(BALL, steel, Fn=100).grid
-    assert client.solve(BALL, steel, Fn=100, fields=[]).pressure is None
+    assert not hasattr(client.solve(BALL, steel, Fn=100, fields=[]), "pressure")
 
 
 def test_a_grid_that_is_given_is_taken(client):

@@ -1,12 +1,15 @@
-"""Solutions of which only some arrays are asked for."""
+"""Solutions of which only some arrays are requested."""
 
+import copy
 import json
+import pickle
 from pathlib import Path
 from typing import get_args
 
 import numpy as np
 import pytest
 
+import contactd
 from contactd import (
     Client,
     ContactProblem,
@@ -17,7 +20,6 @@ from contactd import (
     Material,
     NotFound,
     Paraboloid,
-    PartialSolution,
     ProtocolError,
     StepSolution,
 )
@@ -76,17 +78,47 @@ def test_a_solve_without_fields_says_nothing_of_them_and_has_all_arrays(fake):
 def test_a_solve_has_the_arrays_that_were_named(fake, fields, sent):
     server, client = fake
     solution = client.solve(PROBLEM, fields=fields)
-    assert type(solution) is PartialSolution
+    assert type(solution) is ContactSolution
     assert server.requests[0].params["fields"] == sent
-    assert [name for name in ARRAYS if getattr(solution, name) is not None] == [name for name in sent if name in ARRAYS]
-    assert (solution.Fn, solution.slip_x) == (9.2, None), "without friction there is no slip"
-    assert repr(solution).startswith("<PartialSolution: Fn 9.2")
+    assert [name for name in get_args(Field) if hasattr(solution, name)] == sorted(sent, key=get_args(Field).index)
+    if "slip_x" in sent:
+        assert solution.slip_x is None, "without friction there is no slip"
+    assert repr(solution).startswith("<ContactSolution on 3 x 2 elements: Fn 9.2")
+
+
+@pytest.mark.parametrize("name", get_args(Field))
+def test_an_array_that_was_not_requested_is_named_by_the_error(fake, name):
+    _, client = fake
+    solution = client.solve(PROBLEM, fields=[])
+    for one in (solution, copy.copy(solution), pickle.loads(pickle.dumps(solution))):
+        with pytest.raises(AttributeError, match=f"This solution has no {name}: include it in `fields`"):
+            getattr(one, name)
+
+
+def test_a_solution_has_the_same_arrays_after_a_conversion(fake):
+    _, client = fake
+    solution = client.solve(PROBLEM, fields="pressure")
+    told = contactd.to_dict(solution)
+    assert {*ARRAYS} & told.keys() == {"pressure"}
+    read = contactd.from_dict(told)
+    assert [name for name in ARRAYS if hasattr(read, name)] == ["pressure"]
+    assert read.grid == PROBLEM.grid
+
+
+def test_the_former_name_is_an_alias(fake):
+    _, client = fake
+    with pytest.warns(DeprecationWarning, match="use ContactSolution"):
+        assert contactd.PartialSolution is ContactSolution
+    told = {**contactd.to_dict(client.solve(PROBLEM, fields=[])), "type": "PartialSolution", "pressure": None}
+    read = contactd.from_dict(told)
+    assert type(read) is ContactSolution
+    assert not hasattr(read, "pressure")
 
 
 def test_fields_stand_beside_those_of_the_problem(fake):
     server, client = fake
     given = {name: value for name, value in vars(PROBLEM).items() if value is not None}
-    assert client.solve(**given, fields="pressure").traction_x is None
+    assert not hasattr(client.solve(**given, fields="pressure"), "traction_x")
     client.solve(PROBLEM, fields="pressure")
     assert server.requests[0].params == server.requests[1].params
 
@@ -95,8 +127,8 @@ def test_each_of_many_problems_says_the_same_fields(fake):
     server, client = fake
     solution, error = client.solve_many([PROBLEM, PROBLEM.replace(Fn=2)], fields=iter(["pressure"]))
     assert [problem["fields"] for problem in server.requests[0].params["problems"]] == [["pressure"]] * 2
-    assert isinstance(solution, PartialSolution)
-    assert (solution.pressure.shape, solution.traction_y) == ((2, 3), None)
+    assert isinstance(solution, ContactSolution)
+    assert (solution.pressure.shape, hasattr(solution, "traction_y")) == ((2, 3), False)
     assert isinstance(error, NotFound)
 
 
@@ -133,5 +165,5 @@ def test_a_solution_without_its_tractions_is_nowhere_to_start_from(fake, field):
         client.subsurface(PROBLEM, forces, points=np.zeros((1, 3)))
 
 
-def test_a_step_is_a_partial_solution():
-    assert issubclass(StepSolution, PartialSolution)
+def test_a_step_is_a_solution():
+    assert issubclass(StepSolution, ContactSolution)

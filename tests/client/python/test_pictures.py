@@ -122,7 +122,7 @@ def test_pictures_are_drawn_into_the_axes_that_are_given(rolling, client):
 
 
 def test_arrays_that_were_not_asked_for_are_named(client):
-    with pytest.raises(ValueError, match="pressure, element_division is None; include it in `fields`"):
+    with pytest.raises(ValueError, match="The solution has no pressure, element_division: include it in `fields`"):
         client.solve(PROBLEM, fields=[]).plot()
     partial = client.solve(PROBLEM, fields=["pressure", "element_division"])
     assert "edge of contact" in drawn(partial.plot())

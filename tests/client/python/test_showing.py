@@ -24,8 +24,8 @@ from contactd import (
     TableIcs,
 )
 from contactd.values.answers import read
-from contactd.values.partial_solution import StepSolution
 from contactd.values.solution import ContactSolution
+from contactd.values.step_solution import StepSolution
 from contactd.values.tables import IcSpec
 from support import answers
 

@@ -23,7 +23,7 @@ from contactd import (
     ThermalBody,
 )
 from contactd.values.contact_params import problem_params
-from contactd.values.solution import PartialSolution
+from contactd.values.solution import ContactSolution
 from contactd.values.temperature_params import temperature_params
 from support import answers
 from support.fake_server import FakeServer
@@ -35,7 +35,7 @@ INFO = {**answers.INFO, "limits": {**answers.INFO["limits"], "max_frames": 16}}
 
 
 def solution(**changes):
-    found = object.__new__(PartialSolution)
+    found = object.__new__(ContactSolution)
     values = {"grid": GRID, "motion": Rolling(xi=1e-3, velocity=2e4, chi=0.0), "pressure": ONES, "traction_x": -0.3 * ONES,
               "traction_y": 0 * ONES, "slip_x": 1e-3 * ONES, "slip_y": 0 * ONES, **changes}  # fmt: skip
     for name, value in values.items():

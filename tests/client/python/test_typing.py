@@ -1,4 +1,4 @@
-"""What type checkers know of the calls whose answers depend on what was asked for."""
+"""Types of calls and their answers for type checkers."""
 
 import inspect
 import subprocess
@@ -25,15 +25,16 @@ Floats = npt.NDArray[np.float64]
 def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     assert_type(client.solve(problem), ContactSolution)
     assert_type(client.solve(problem).pressure, Floats)
-    assert_type(client.solve(problem, fields=[]), PartialSolution)
-    assert_type(client.solve(problem, fields="pressure").pressure, Floats | None)
+    assert_type(client.solve(problem, fields=[]), ContactSolution)
+    assert_type(client.solve(problem, fields="pressure").pressure, Floats)
+    assert_type(client.solve(problem).slip_x, Floats | None)
     assert_type(client.solve_many([problem]), list[ContactSolution | StatusError])
-    assert_type(client.solve_many([problem], fields=("slip_x",)), list[PartialSolution | StatusError])
+    assert_type(client.solve_many([problem], fields=("slip_x",)), list[ContactSolution | StatusError])
     assert_type(client.step_many([(session, {"Fn": 1, "xi": 2, "again": True})]), list[StepSolution | StatusError])
     assert_type(client.solve(Paraboloid(50, 50), steel, Fn=100), ContactSolution)
-    assert_type(client.solve(Paraboloid(50, 50), steel, RigidBody(), Fn=100, fields=[]), PartialSolution)
+    assert_type(client.solve(Paraboloid(50, 50), steel, RigidBody(), Fn=100, fields=[]), ContactSolution)
     assert_type(solve(Paraboloid(50, 50), steel, Fn=100), ContactSolution)
-    assert_type(solve(problem, fields="pressure"), PartialSolution)
+    assert_type(solve(problem, fields="pressure"), ContactSolution)
     assert_type(creep_curve(problem, xi=[0, 1e-3]), CreepCurve)
     assert_type(client.creep_curve(Paraboloid(1, 2), steel, Fn=1, friction=Friction(0.3), xi=0.1).Fx, Floats)
     assert_type(default_client(), Client)
@@ -43,8 +44,8 @@ def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     assert_type(contact_files.run("x.inp"), contact_files.SolvedCases)
     assert_type(contact_files.run("x.inp", client).compare("x.out").agrees, bool)
     assert_type(contact_files.run("x.inp")[0].patches[0].forces.Fn, float)
-    solve(Paraboloid(50, 50), "steel", Fn=100)  # type: ignore[call-overload]
-    solve(Paraboloid(50, 50), steel, Fm=100)  # type: ignore[call-overload]
+    solve(Paraboloid(50, 50), "steel", Fn=100)  # type: ignore[arg-type]
+    solve(Paraboloid(50, 50), steel, Fm=100)  # type: ignore[call-arg]
     creep_curve(problem, psi=1)  # type: ignore[call-arg]
     assert_type(client.health(), str)
     assert_type(client.session(problem), Session)
@@ -52,9 +53,9 @@ def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     client.solve(grid=problem.grid, upper=problem.upper, gap=Paraboloid(1, 2), Fn=1, fields=[], timeout=3)
     client.session(grid=problem.grid, upper=problem.upper, lease=3)
     problem.replace(Fn=1, model="hertz")
-    client.solve(grid=problem.grid, aproach=1)  # type: ignore[call-overload]
-    client.solve(grid=problem.grid, approach="deep")  # type: ignore[call-overload]
-    client.solve(problem, timeot=1)  # type: ignore[call-overload]
+    client.solve(grid=problem.grid, aproach=1)  # type: ignore[call-arg]
+    client.solve(grid=problem.grid, approach="deep")  # type: ignore[arg-type]
+    client.solve(problem, timeot=1)  # type: ignore[call-arg]
     client.session(grid=problem.grid, uper=problem.upper)  # type: ignore[call-arg]
     client.session(grid=3)  # type: ignore[arg-type]
     client.get_ic(Material(1, 0), problem.grid, FemIcs(), timeot=1)  # type: ignore[call-arg]
@@ -64,7 +65,6 @@ def calls(client: Client, problem: ContactProblem, session: Session) -> None:
     WheelRailSetup().replace(dy="wide")  # type: ignore[arg-type]
     LocalDaemon().client(time_out=3)  # type: ignore[call-arg]
     client.solve(problem, fields="pressures")  # type: ignore[arg-type]
-    client.solve(problem, fields="pressure").pressure.sum()  # type: ignore[union-attr]
     client.step_many([(session, {"Fm": 1})])  # type: ignore[typeddict-unknown-key]
     client.step_many([(session, {"Fn": "much"})])  # type: ignore[typeddict-item]
     session.step(fields=["pressures"])  # type: ignore[list-item]
@@ -81,7 +81,7 @@ def wheels(client: Client, session: Session, wheel: WheelRailSession, state: Whe
 
 async def awaited(client: AsyncClient, problem: ContactProblem) -> None:
     assert_type(await client.solve(problem), ContactSolution)
-    assert_type(await client.solve(grid=problem.grid, fields=[]), PartialSolution)
+    assert_type(await client.solve(grid=problem.grid, fields=[]), ContactSolution)
     assert_type(await client.solve_many([problem]), list[ContactSolution | StatusError])
     assert_type(await client.solve(Paraboloid(50, 50), steel, Fn=100), ContactSolution)
     assert_type(await client.creep_curve(problem, xi=1e-3), CreepCurve)
@@ -93,7 +93,7 @@ async def awaited(client: AsyncClient, problem: ContactProblem) -> None:
         await session.step(Fm=1)  # type: ignore[call-arg]
     async for table in client.stored_ics():
         assert_type(table, StoredIc)
-    await client.solve(problem, aproach=1)  # type: ignore[call-overload]
+    await client.solve(problem, aproach=1)  # type: ignore[call-arg]
     await client.health(timeot=1)  # type: ignore[call-arg]
 """
 

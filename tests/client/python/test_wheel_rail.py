@@ -152,7 +152,7 @@ def test_an_answer_is_read():
     assert solution.rail_deflection is None
     assert patch.place.regions[0].y == (748.0, 756.1)
     assert patch.place.radii.rail_along is None
-    assert patch.solution.pressure is None
+    assert not hasattr(patch.solution, "pressure")
     assert patch.place.grid.shape == (GRID["ny"], GRID["nx"])
     assert "patch at y 751.87" in repr(solution)
 

@@ -8,10 +8,10 @@ from typing import Annotated, Any
 import click
 import typer
 
-from contactd import ContactSolution, Grid, PartialSolution
+from contactd import ContactSolution, Grid
 from contactd.refusals import did_you_mean
 from contactd.values.answers import read
-from contactd.values.partial_solution import read_solution
+from contactd.values.step_solution import read_solution
 
 from ..asking import ask
 from ..codes import Code, Ended
@@ -65,7 +65,7 @@ def requested_fields(params: dict[str, Any], fields: str | None, outputs: list[P
         params.pop("fields", None)
 
 
-def _solution(params: dict[str, Any], answer: dict[str, Any]) -> ContactSolution | PartialSolution:
+def _solution(params: dict[str, Any], answer: dict[str, Any]) -> ContactSolution:
     return read_solution(read(Grid, params["grid"], "grid"), params.get("fields"), answer)
 
 

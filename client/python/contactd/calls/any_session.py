@@ -10,8 +10,8 @@ from ..errors import ContactdError, ProtocolError
 from ..refusals import check_type
 from ..transport.messages import Request
 from ..values.generated.service import Progress
-from ..values.partial_solution import SavedState
 from ..values.representation import Rows, Shown
+from ..values.step_solution import SavedState
 from .call import Answering, Pause, Waits, asks, insist
 from .steps import Steps
 

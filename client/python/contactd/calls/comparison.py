@@ -18,7 +18,7 @@ from ..values.generated.problem import ContactProblem
 from ..values.generated.service import Progress
 from ..values.generated.wheel_rail.setup import WheelRailSetup
 from ..values.generated.wheel_rail.state import WheelRailState
-from ..values.partial_solution import read_solution
+from ..values.step_solution import read_solution
 from ..values.wheel_rail.comparison import ComparedModel, ModelComparison, combinations, errors_of, model_names
 from ..values.wheel_rail.params import setup_params, state_params
 from ..values.wheel_rail.solution import read_wheel_rail

@@ -18,8 +18,8 @@ from ..values.generated.problem import ContactProblem, Estimate
 from ..values.generated.subsurface import StressBlock, SubsurfaceStress
 from ..values.generated.temperature import SurfaceTemperatures
 from ..values.generated.thermal import ThermalBodies
-from ..values.partial_solution import PartialSolution, read_solution
 from ..values.solution import ContactSolution, Fields, names_of
+from ..values.step_solution import read_solution
 from ..values.subsurface_methods import INVARIANTS
 from ..values.temperature_params import temperature_params
 from .call import Answering, asks
@@ -85,7 +85,7 @@ class ContactCalls(Caller):
     @asks
     def temperature(
         self,
-        solution: ContactSolution | PartialSolution,
+        solution: ContactSolution,
         bodies: ThermalBodies | None = None,
         *,
         velocity: float | None = None,
@@ -124,11 +124,11 @@ def solved(
     timeout: float | None,
     on_progress: ProgressCallback | None,
     progress: bool,
-) -> Answering[ContactSolution | PartialSolution]:
+) -> Answering[ContactSolution]:
     """The steps of `solve`."""
     stated = stated_problem(problem, upper, lower, problem_fields)
 
-    def solve(one: ContactProblem) -> Answering[ContactSolution | PartialSolution]:
+    def solve(one: ContactProblem) -> Answering[ContactSolution]:
         names = None if fields is None else names_of(fields)
         params = problem_params(one, names)
         result = yield from caller.asked(
@@ -146,7 +146,7 @@ def solved_many(
     timeout: float | None,
     on_progress: ProgressCallback | None,
     progress: bool,
-) -> Answering[list[ContactSolution | PartialSolution | StatusError]]:
+) -> Answering[list[ContactSolution | StatusError]]:
     """The steps of `solve_many`."""
     problems = list(problems)
     if not problems:

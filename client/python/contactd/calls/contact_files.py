@@ -17,8 +17,8 @@ from ..values.generated.contact_files import (
     ConvertedCases,
 )
 from ..values.generated.wheel_rail.setup import WheelSurface
-from ..values.partial_solution import read_solution
 from ..values.solution import Fields, names_of
+from ..values.step_solution import read_solution
 from ..values.wheel_rail.solution import read_wheel_rail
 from .call import Answering, asks
 from .caller import Caller

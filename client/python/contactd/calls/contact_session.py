@@ -18,9 +18,9 @@ from ..values.generated.motion import Rolling, RollingKind
 from ..values.generated.problem import ContactProblem
 from ..values.generated.step_input import StepInput
 from ..values.params import fields_of, names_of_fields
-from ..values.partial_solution import StepSolution, check_arrays, on_grid
 from ..values.representation import Rows
 from ..values.solution import Fields
+from ..values.step_solution import StepSolution, checked
 from .any_session import AnySession, ProgressCallback, SessionThatWaits, reported_number
 from .call import Answering, asks
 from .steps import Steps
@@ -61,9 +61,9 @@ class ContactSteps(Steps):
 
     def read(self, asked: dict[str, Any], result: Any, path: str = "result") -> StepSolution:
         solution = read(StepSolution, result, path)
-        check_arrays(solution, asked.get("fields", ()), self.grid)
+        checked(solution, asked.get("fields", ()), self.grid)
         self.number = solution.step
-        return on_grid(solution, self.grid)
+        return solution
 
     def _friction(self, step: StepInput) -> dict[str, Any]:
         whole = {} if (friction := step.get("friction")) is None else friction.params()

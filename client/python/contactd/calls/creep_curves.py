@@ -20,7 +20,7 @@ from ..values.creep_curves import CreepCurve
 from ..values.generated.friction import Friction
 from ..values.generated.motion import Rolling
 from ..values.generated.problem import ContactProblem
-from ..values.partial_solution import read_solution
+from ..values.step_solution import read_solution
 from .call import Answering, Noted, asks
 from .caller import Caller, ProgressCallback
 from .stated_problems import Body, Gap, on_chosen_grid, stated_problem, without_warnings

@@ -14,7 +14,7 @@ from ..values.generated.materials import LayeredBody, Material, RigidBody, Visco
 from ..values.generated.problem import ContactProblem
 from ..values.hertz_grid import corrected_grid, grid_of
 from ..values.problem_methods import check_field_types
-from ..values.solution import Solution
+from ..values.solution import ContactSolution
 from .call import Answering, Noted
 
 if TYPE_CHECKING:
@@ -66,7 +66,7 @@ _ANY_GRID = Grid(1, 1, 1.0, 1.0)
 
 
 def on_chosen_grid(
-    stated: Stated, solve: Callable[[ContactProblem], Answering[T]], solutions: Callable[[T], Iterable[Solution[Any, Any]]]
+    stated: Stated, solve: Callable[[ContactProblem], Answering[T]], solutions: Callable[[T], Iterable[ContactSolution]]
 ) -> Answering[T]:
     """Solves a problem. If its grid was chosen here and does not fit the solution, solves it again on a better one.
     Warnings of the first answer are then dropped.

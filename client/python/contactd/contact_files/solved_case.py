@@ -10,7 +10,7 @@ from ..values.generated.contact_files import CaseStatus, ComputedCase
 from ..values.generated.wheel_rail.forces import WheelRailForces
 from ..values.generated.wheel_rail.result import WheelRailSolution
 from ..values.representation import Rows, Shown
-from ..values.solution import ContactSolution, Forces, PartialSolution, Solution
+from ..values.solution import ContactSolution, Forces
 from .case import Case
 from .case_results import Elements, is_right
 from .comparison import Compared
@@ -53,7 +53,7 @@ class SolvedCase(Shown):
         return self.answer.warnings
 
     @property
-    def solution(self) -> ContactSolution | PartialSolution | WheelRailSolution | None:
+    def solution(self) -> ContactSolution | WheelRailSolution | None:
         """The solution: of a contact for module 3, of a wheel on its rail for module 1; or None."""
         return self.answer.contact if self.answer.wheelrail is None else self.answer.wheelrail
 
@@ -63,7 +63,7 @@ class SolvedCase(Shown):
         return None if self.solution is None else self.solution.forces
 
     @property
-    def patches(self) -> tuple[Solution[Any, Any], ...]:
+    def patches(self) -> tuple[ContactSolution, ...]:
         """The contacts with their forces and their element arrays, shape [ny, nx]. Module 3 has one; module 1 has all
         patches in CONTACT's order, from the field side to the gauge side.
         """

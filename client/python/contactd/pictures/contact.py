@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..values.generated.grid import Grid
-from ..values.solution import Solution
+from ..values.solution import ContactSolution
 from .canvas import ADHESION, COLOURS, INK, axes_or_new, bare, edges, legend_below, map_over
 
 if TYPE_CHECKING:
@@ -18,8 +18,8 @@ __all__ = ["draw_contact", "draw_section", "title_of"]
 _ARROWS = 16  #: Largest number of arrows along the longer side, to keep the plot readable.
 
 
-def draw_contact(solution: Solution[Any, Any], axes: Axes | None = None) -> Axes:
-    """Implements Solution.plot."""
+def draw_contact(solution: ContactSolution, axes: Axes | None = None) -> Axes:
+    """Implements ContactSolution.plot."""
     grid = grid_of(solution)
     _check(solution, "pressure", "element_division")
     axes = axes_or_new(axes, 6.8, 5.4)
@@ -34,8 +34,8 @@ def draw_contact(solution: Solution[Any, Any], axes: Axes | None = None) -> Axes
     return axes
 
 
-def draw_section(solution: Solution[Any, Any], y: float = 0.0, axes: Axes | None = None) -> Axes:
-    """Implements Solution.plot_section."""
+def draw_section(solution: ContactSolution, y: float = 0.0, axes: Axes | None = None) -> Axes:
+    """Implements ContactSolution.plot_section."""
     grid = grid_of(solution)
     _check(solution, "pressure", "element_division", "traction_x", "traction_y")
     axes = axes_or_new(axes)
@@ -57,27 +57,27 @@ def draw_section(solution: Solution[Any, Any], y: float = 0.0, axes: Axes | None
     return axes
 
 
-def grid_of(solution: Solution[Any, Any]) -> Grid:
+def grid_of(solution: ContactSolution) -> Grid:
     """Returns the grid. Raises ValueError if it is unknown."""
     if solution.grid is None:
         raise ValueError("grid is None; only solutions of a client, which have a grid, can be drawn")
     return solution.grid
 
 
-def title_of(solution: Solution[Any, Any]) -> str:
+def title_of(solution: ContactSolution) -> str:
     """Returns a title with the forces."""
     names = ["Fn", *(name for name in ("Fx", "Fy") if abs(getattr(solution, name)) > 1e-9 * solution.Fn)]
     forces = [f"$F_{name[1]}$ = {getattr(solution, name):.5g} N" for name in names]
     return ", ".join(forces) + ("" if solution.converged else " (NOT CONVERGED)")
 
 
-def _check(solution: Solution[Any, Any], *names: str) -> None:
-    if missing := [name for name in names if getattr(solution, name) is None]:
-        raise ValueError(f"{', '.join(missing)} is None; include it in `fields` when you request the solution")
+def _check(solution: ContactSolution, *names: str) -> None:
+    if missing := [name for name in names if not hasattr(solution, name)]:
+        raise ValueError(f"The solution has no {', '.join(missing)}: include it in `fields` when you request the solution.")
 
 
-def _add_tractions(axes: Axes, grid: Grid, solution: Solution[Any, Any]) -> None:
-    if solution.traction_x is None or solution.traction_y is None:
+def _add_tractions(axes: Axes, grid: Grid, solution: ContactSolution) -> None:
+    if not (hasattr(solution, "traction_x") and hasattr(solution, "traction_y")):
         return
     size = np.hypot(solution.traction_x, solution.traction_y)
     if not size.any():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 import numpy.typing as npt
@@ -12,7 +12,7 @@ from ..refusals import public
 from ..values.arrays import Array
 from ..values.creep_curves import CreepCurve
 from ..values.generated.motion import Rolling
-from ..values.solution import Solution
+from ..values.solution import ContactSolution
 from .canvas import COLOURS, axes_or_new, bare
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ __all__ = ["draw_creep_curve", "plot_creep_curves"]
 _CREEPAGES = {"xi": "longitudinal creepage", "eta": "lateral creepage", "phi": "spin creepage (rad/mm)"}
 _STYLES = ("o-", "s--", "^:", "d-.")
 _ROUNDING = 1e-9  #: Fraction of the normal force.
-Solutions = Sequence[Solution[Any, Any]]
+Solutions = Sequence[ContactSolution]
 
 
 @public
@@ -78,7 +78,7 @@ def _extent(values: Array) -> float:
     return float(np.ptp(there)) if there.size else 0.0
 
 
-def _creepage(solution: Solution[Any, Any], by: str, index: int) -> float:
+def _creepage(solution: ContactSolution, by: str, index: int) -> float:
     if not isinstance(solution.motion, Rolling):
         raise ValueError(f"solutions[{index}] has no creepage because it does not roll; give the creepages")
     value: float = getattr(solution.motion, by)

@@ -144,7 +144,7 @@ def draw_patches(
 
 def _hill(patch: WheelRailPatch, rail: Array, scale: float) -> tuple[Array, Array]:
     """Returns (y, z) of the rows of a patch on the rail, and of the tops of their pressures."""
-    if patch.solution.pressure is None:
+    if not hasattr(patch.solution, "pressure"):
         raise invalid("solution", 'has patches without pressure; request fields=["pressure"], or all')
     pressure = np.asarray(patch.solution.pressure).max(axis=1)
     at, rows = patch.place.reference, patch.place.grid.y

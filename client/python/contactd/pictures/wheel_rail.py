@@ -24,7 +24,7 @@ _ROUNDING = 1e-12  #: Fraction of the largest force, as in tables of the command
 
 def draw_wheel_rail(solution: WheelRailSolution) -> Figure:
     """Implements WheelRailSolution.plot."""
-    shown = [patch for patch in solution.patches if patch.solution.pressure is not None]
+    shown = [patch for patch in solution.patches if hasattr(patch.solution, "pressure")]
     figure = new_figure(6.0 + 5.6 * len(shown), 5.4)
     panels = figure.subplots(1, 1 + len(shown), squeeze=False)[0]
     _draw_cross_section(panels[0], solution)
@@ -87,7 +87,7 @@ def _across(patch: WheelRailPatch) -> float:
 
 def _draw_patch(axes: Axes, patch: WheelRailPatch, number: int) -> None:
     solution: Any = patch.solution
-    if solution.element_division is not None:
+    if hasattr(solution, "element_division"):
         draw_contact(solution, axes)
     else:
         map_over(axes, patch.place.grid, np.ma.masked_equal(solution.pressure, 0), "pressure (N/mm$^2$)")

@@ -22,16 +22,6 @@ T = TypeVar("T")
 Convert = Callable[[Any], Any]
 
 
-@functools.cache
-def _hints(kind: Any) -> dict[str, Any]:
-    """Returns the types of the fields; type variables of a generic base are replaced by the class's types."""
-    hints = hints_of(kind)
-    for base in getattr(kind, "__orig_bases__", ()):
-        meant = dict(zip(getattr(get_origin(base), "__parameters__", ()), get_args(base), strict=False))
-        hints = {name: meant.get(hint, hint) for name, hint in hints.items()}
-    return hints
-
-
 class _Unreadable(Exception):
     """Reports an error and its location. Enclosing readers add their part of the path, so that no paths are built
     without errors.
@@ -61,17 +51,19 @@ class _Field(NamedTuple):
     convert: Convert
     has_default: bool
     may_be_none: bool
+    may_be_absent: bool
 
 
 @functools.cache
 def _fields(kind: Any) -> tuple[_Field, ...]:
-    missing = dataclasses.MISSING
+    missing, hints, arrays = dataclasses.MISSING, hints_of(kind), getattr(kind, "_arrays", ())
     return tuple(
         _Field(
             field.name,
-            _converter(hint := _hints(kind)[field.name]),
+            _converter(hint := hints[field.name]),
             field.default is not missing or field.default_factory is not missing,
             type(None) in get_args(hint),
+            field.name in arrays,
         )
         for field in dataclasses.fields(kind)
     )
@@ -87,17 +79,19 @@ def _reader(kind: Any) -> Convert:
         if of_wire is not None:
             value = of_wire(value)
         found: dict[str, Any] = {}
-        for name, convert, has_default, may_be_none in _fields(kind):  # on first use, not at import
+        for name, convert, has_default, may_be_none, may_be_absent in _fields(kind):  # on first use, not at import
             if name in value:
                 reported = value[name]
                 if type(reported) is float and convert is _read_float:  # the usual case
                     found[name] = reported
                     continue
+                if reported is None and may_be_absent:
+                    continue
                 try:
                     found[name] = convert(reported)
                 except _Unreadable as error:
                     raise error.within(f".{name}") from None
-            elif not has_default:
+            elif not (has_default or may_be_absent):
                 if not may_be_none:
                     raise _Unreadable(f"lacks {name}")
                 found[name] = None
@@ -156,7 +150,7 @@ def _one_of(kinds: list[Any]) -> Convert:
     """Reads the first dataclass whose constant and required fields are in `value`, otherwise the first one."""
     readers = [_reader(kind) for kind in kinds]
     marks = [getattr(kind, "_fixed", None) for kind in kinds]
-    needs = [{name for name, _, has_default, _ in _fields(kind) if not has_default} for kind in kinds]
+    needs = [{one.name for one in _fields(kind) if not (one.has_default or one.may_be_absent)} for kind in kinds]
 
     def read_one(value: Any) -> Any:
         if isinstance(value, dict):

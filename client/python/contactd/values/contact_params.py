@@ -100,7 +100,7 @@ def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[s
     tractions.
     """
     names = [one.name for one in dataclass_fields(Estimate) if field == "previous" or one.name not in _FRICTION_STATE]
-    arrays = {name: getattr(tractions, name) for name in names}
+    arrays = {name: getattr(tractions, name, None) for name in names}
     missing = [name for name, array in arrays.items() if array is None and name not in _FRICTION_STATE]
     if missing and not isinstance(tractions, Estimate):
         raise TypeError(

@@ -21,16 +21,18 @@ __all__ = ["HasDict", "Saved", "from_dict", "to_dict"]
 
 #: Prefix of modules whose values can be created from dictionaries. Importing contactd imports them all.
 _VALUES = f"{__package__}."
+_RENAMED = {"PartialSolution": "ContactSolution"}  #: Types in files of earlier versions.
 
 
 def to_dict(value: Any) -> Any:
     """Converts dataclasses of this package to dictionaries with their "type", and tuples to lists. Arrays and numbers
     are unchanged.
 
-    Omits fields with the default None. Raises TypeError for other objects.
+    Omits fields with the default None, and absent arrays. Raises TypeError for other objects.
     """
     if is_dataclass(value) and not isinstance(value, type):
-        items = ((field, getattr(value, field.name)) for field in fields(value))
+        absent: frozenset[str] = getattr(value, "_arrays", frozenset()).difference(vars(value))
+        items = ((field, getattr(value, field.name)) for field in fields(value) if field.name not in absent)
         given = {field.name: to_dict(item) for field, item in items if item is not None or field.default is not None}
         return {"type": type(value).__name__, **given}
     if isinstance(value, Mapping):
@@ -55,13 +57,13 @@ def _value_of(told: Any, path: str) -> Any:
         parts = {name: _value_of(item, f"{path}.{name}" if path else name) for name, item in told.items() if name != "type"}
         if "type" not in told:
             return parts
-        kind = _kinds().get(told["type"])
+        kind = _kinds().get(_RENAMED.get(told["type"], told["type"]))
         if kind is None:
             raise ValueError(f"{path or 'the value'} is of the type {told['type']!r}, which this version does not support")
         if unknown := parts.keys() - {field.name for field in fields(kind)}:
             raise ValueError(f"{path or 'the value'} has {', '.join(sorted(unknown))}, which {told['type']} does not have")
         try:
-            return kind(**parts)
+            return getattr(kind, "_of_parts", kind)(**parts)
         except TypeError as error:
             raise ValueError(f"{path or 'the value'} is not a valid {told['type']}: {error}") from None
     if isinstance(told, list):

@@ -11,7 +11,7 @@ from .generated.grid import Grid, Paraboloid, SemiAxes
 from .generated.ics import AnalyticIcs
 from .generated.materials import Material, RigidBody, ViscoelasticBody
 from .hertz import Ellipse, Load, ellipse_of_curvatures
-from .solution import Solution
+from .solution import ContactSolution
 
 __all__ = ["corrected_grid", "grid_of"]
 
@@ -39,7 +39,7 @@ def grid_of(fields: Mapping[str, Any]) -> Grid:
     return Grid.centred(_SIDE, _SIDE, *(2 * MARGIN * axis for axis in axes))
 
 
-def corrected_grid(grid: Grid, solution: Solution[Any, Any]) -> Grid | None:
+def corrected_grid(grid: Grid, solution: ContactSolution) -> Grid | None:
     """Returns a better grid: a larger one if the contact reaches the border, a smaller one if the contact has few
     elements; None if the grid is adequate.
     """

@@ -33,5 +33,5 @@ def check_field_types(kind: type, fields: Mapping[str, Any]) -> None:
     tractions = {name: fields[name] for name in ("initial", "previous") if fields.get(name) is not None}
     check_fields(kind, {name: value for name, value in fields.items() if name not in tractions})
     for name, value in tractions.items():
-        if not hasattr(value, "pressure"):
+        if not hasattr(type(value), "pressure") and not hasattr(value, "pressure"):
             raise TypeError(f"{name} is {reprlib.repr(value)}; it must be a solution or an Estimate")

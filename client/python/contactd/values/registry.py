@@ -16,7 +16,7 @@ _FUNCTIONS: dict[str, str] = {}
 
 
 def register(functions: Mapping[str, str]) -> None:
-    """Registers functions, such as ``{"Solution.plot": "contactd.pictures.contact:draw_contact"}``."""
+    """Registers functions, such as ``{"ContactSolution.plot": "contactd.pictures.contact:draw_contact"}``."""
     _FUNCTIONS.update(functions)
 
 

@@ -2,13 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, TypeVar
-
-import numpy as np
-import numpy.typing as npt
+from typing import TYPE_CHECKING, Any
 
 from ..refusals import public
-from .arrays import Array
 from .registry import extra
 from .representation import Rows
 
@@ -16,15 +12,11 @@ if TYPE_CHECKING:
     import xarray
     from matplotlib.axes import Axes
 
-__all__ = ["Bytes", "Floats", "SolutionMethods"]
-
-# Types of the arrays of a solution; those of a step are optional.
-Floats = TypeVar("Floats", bound="Array | None")
-Bytes = TypeVar("Bytes", bound="npt.NDArray[np.uint8] | None")
+__all__ = ["SolutionMethods"]
 
 
 class SolutionMethods:
-    """Methods of a Solution."""
+    """Methods of a ContactSolution."""
 
     @public
     def plot(self, axes: Axes | None = None) -> Axes:
@@ -33,13 +25,13 @@ class SolutionMethods:
 
         Draws into `axes` or a new figure, and returns the axes. Needs matplotlib ("contactd[pictures]").
         """
-        drawn: Axes = extra("Solution.plot")(self, axes)
+        drawn: Axes = extra("ContactSolution.plot")(self, axes)
         return drawn
 
     @public
     def plot_section(self, y: float = 0.0, axes: Axes | None = None) -> Axes:
         """Plots pressure and tractions along x, in the row of elements nearest to `y` (mm); otherwise like `plot`."""
-        drawn: Axes = extra("Solution.plot_section")(self, y, axes)
+        drawn: Axes = extra("ContactSolution.plot_section")(self, y, axes)
         return drawn
 
     @public
@@ -47,7 +39,7 @@ class SolutionMethods:
         """Returns arrays against x and y, forces, pmax and the approach, with their units. Needs xarray
         ("contactd[xarray]").
         """
-        dataset: xarray.Dataset = extra("Solution.to_xarray")(self)
+        dataset: xarray.Dataset = extra("ContactSolution.to_xarray")(self)
         return dataset
 
     def _rows(self: Any) -> Rows:

@@ -10,7 +10,7 @@ from .arrays import array_of
 from .generated.motion import Rolling
 from .generated.thermal import ThermalBodies
 from .params import params_of
-from .solution import Solution
+from .solution import ContactSolution
 
 __all__ = ["temperature_params"]
 
@@ -20,14 +20,14 @@ _OF_LAYERS = ("flow_x", "flow_y")
 
 
 def temperature_params(
-    solution: Solution[Any, Any], bodies: ThermalBodies | None, velocity: float | None
+    solution: ContactSolution, bodies: ThermalBodies | None, velocity: float | None
 ) -> dict[str, Any]:
     """Returns the parameters of contact.temperature."""
-    check_type("solution", solution, Solution)
+    check_type("solution", solution, ContactSolution)
     if bodies is not None:
         check_type("bodies", bodies, ThermalBodies)
     needed = _ARRAYS if solution.plastic_power is None else _ARRAYS + _OF_LAYERS
-    if missing := [name for name in needed if getattr(solution, name) is None]:
+    if missing := [name for name in needed if getattr(solution, name, None) is None]:
         raise TypeError(
             f"solution has no {', '.join(missing)}: include them in `fields` when you request it; only problems with friction have " "slip"
         )

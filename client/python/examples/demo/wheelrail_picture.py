@@ -70,7 +70,6 @@ def _draw_profiles(axes: Any, side: str, solutions: list[WheelRailSolution]) -> 
 
 def _across(patch: WheelRailPatch) -> list[tuple[float, float]]:
     """Returns the ends of each part of the contact in y of the track."""
-    assert patch.solution.element_division is not None
     grid, at = patch.place.grid, patch.place.reference
     touches = (patch.solution.element_division != 0).any(axis=1)
     changes = np.flatnonzero(np.diff(np.concatenate([[False], touches, [False]])))
@@ -109,7 +108,6 @@ def _finish(axes: Any, unit: str, title: str) -> None:
 
 def _draw_patch(figure: Any, axes: Any, patch: WheelRailPatch) -> None:
     solution, grid = patch.solution, patch.place.grid
-    assert solution.pressure is not None
     extent = (grid.x[0] - grid.dx / 2, grid.x[-1] + grid.dx / 2, grid.y[0] - grid.dy / 2, grid.y[-1] + grid.dy / 2)
     pressure = np.ma.masked_equal(solution.pressure, 0)
     image = axes.imshow(pressure, origin="lower", extent=extent, cmap=warm(), vmin=0, interpolation="nearest")

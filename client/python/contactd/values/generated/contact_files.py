@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 from ..arrays import Array
 from ..contact_file_methods import ContactFileMethods
-from ..solution import ContactSolution, PartialSolution
+from ..solution import ContactSolution
 from .grid import Grid
 from .wheel_rail.result import WheelRailSolution
 
@@ -145,7 +145,7 @@ class ComputedCase:
     patches: tuple[ComputedPatch, ...]
     reid: int | None = None
     cpid: int | None = None
-    contact: ContactSolution | PartialSolution | None = None
+    contact: ContactSolution | None = None
     wheelrail: WheelRailSolution | None = None
 
 

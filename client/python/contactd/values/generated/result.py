@@ -6,13 +6,16 @@ Written by ./dev generate from proto/schema: edit it there.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Generic, Literal
+from typing import Literal
+
+import numpy as np
+import numpy.typing as npt
 
 from ..arrays import Array
 from ..dictionaries import Saved
 from ..fatigue_methods import ContactFatigueMethods
 from ..representation import Shown
-from ..solution_methods import Bytes, Floats, SolutionMethods
+from ..solution_methods import SolutionMethods
 from ..wear_methods import ContactWearMethods
 from .evidence import ContactEvidence
 from .grid import Grid
@@ -397,7 +400,7 @@ class Derivatives:
 
 
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
+class Solution(SolutionMethods, Saved, Shown):
     """The solution and its evidence. Arrays have shape [ny, nx]; tractions and forces act on the upper body.
 
     Attributes:
@@ -468,10 +471,10 @@ class Solution(SolutionMethods, Saved, Shown, Generic[Floats, Bytes]):
     pmax: float
     area: Areas
     elements: Counts
-    element_division: Bytes
-    pressure: Floats
-    traction_x: Floats
-    traction_y: Floats
+    element_division: npt.NDArray[np.uint8]
+    pressure: Array
+    traction_x: Array
+    traction_y: Array
     converged: bool
     evidence: ContactEvidence
     resultant: Resultant | None = None

@@ -12,7 +12,7 @@ from ..generated.evidence import Model, NormalModel
 from ..generated.wheel_rail.result import WheelRailPatch, WheelRailSolution
 from ..registry import extra
 from ..representation import Rows, Shown
-from ..solution import ContactSolution, PartialSolution
+from ..solution import ContactSolution
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -101,7 +101,7 @@ class ComparedModel:
     name: str
     model: str
     normal_model: str
-    solution: ContactSolution | PartialSolution | WheelRailSolution | None = None
+    solution: ContactSolution | WheelRailSolution | None = None
     refusal: str = ""
     seconds: float | None = None
     left_out: tuple[str, ...] = ()
@@ -179,7 +179,7 @@ def _relative(value: float, right: float) -> float:
 
 
 def _patch_error(found: Any, full: Any) -> float | None:
-    if found.pressure is None or full.pressure is None or not full.elements.contact:
+    if not hasattr(found, "pressure") or not hasattr(full, "pressure") or not full.elements.contact:
         return None
     return float(np.count_nonzero((found.pressure > 0) != (full.pressure > 0)) / np.count_nonzero(full.pressure > 0))
 

@@ -11,8 +11,9 @@ from typing import Any, TypeVar
 from ...errors import ProtocolError
 from ..answers import read
 from ..generated.wheel_rail.result import RailDeflection, WheelRailPatch, WheelRailSolution, WheelsetSolution
-from ..partial_solution import ALL_FIELDS, check_arrays, on_grid
 from ..representation import with_inherited_attributes
+from ..solution import ALL_FIELDS
+from ..step_solution import checked
 
 __all__ = [
     "RailDeflection",
@@ -61,8 +62,7 @@ def read_wheelset(names: Iterable[str] | None, gap: bool, result: dict[str, Any]
 def _checked(solution: S, names: Iterable[str] | None, gap: bool) -> S:
     requested = list(ALL_FIELDS if names is None else names)
     for index, patch in enumerate(solution.patches):
-        check_arrays(patch.solution, requested, patch.place.grid)
-        on_grid(patch.solution, patch.place.grid)
+        checked(patch.solution, requested, patch.place.grid)
         if gap and patch.gap is not None and patch.gap.shape != patch.place.grid.shape:
             raise ProtocolError(f"The answer's gap of patch {index} does not fit its grid.")
     return solution
@@ -71,8 +71,8 @@ def _checked(solution: S, names: Iterable[str] | None, gap: bool) -> S:
 @with_inherited_attributes
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
 class WheelRailStepSolution(WheelRailSolution):
-    """The solution of a step. Arrays of its patches are None unless `fields` names them. `converged` can be False only
-    if the session accepts that.
+    """The solution of a step, whose patches have the arrays named by `fields`. `converged` can be False only if the
+    session accepts that.
 
     Attributes:
         step: Number of the step.

@@ -8,7 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ...arrays import Array
-from ...solution import PartialSolution
+from ...solution import ContactSolution
 from ...wheel_rail.solution_methods import WheelRailSolutionMethods, WheelsetSolutionMethods
 from ..evidence import SolverEvidence
 from .forces import WheelRailDerivatives, WheelRailForces
@@ -30,7 +30,7 @@ class WheelRailPatch:
     """
 
     place: ContactPlace
-    solution: PartialSolution
+    solution: ContactSolution
     forces: WheelRailForces
     gap: Array | None = None
 

@@ -2,68 +2,53 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Collection
 from dataclasses import dataclass
-from typing import Any, TypeVar, get_args
+from typing import Any, TypeVar
 
 from ..errors import ProtocolError
 from .answers import read
 from .generated.grid import Grid
 from .representation import with_inherited_attributes
-from .solution import ContactSolution, Field, PartialSolution, Solution
+from .solution import ALL_FIELDS, ContactSolution, without_other_arrays
 
-__all__ = [
-    "ALL_FIELDS",
-    "PartialSolution",
-    "SavedState",
-    "StepSolution",
-    "check_arrays",
-    "on_grid",
-    "read_solution",
-]
+__all__ = ["SavedState", "StepSolution", "checked", "read_solution"]
 
-S = TypeVar("S", bound=Solution[Any, Any])
+S = TypeVar("S", bound=ContactSolution)
 #: Optional arrays: slip requires friction, displacements and temperatures must be requested, and the state of friction
 #: requires a law with one.
 _MAY_LACK = (
     "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress",
     "friction_coefficient", "upper_temperature", "lower_temperature",
 )  # fmt: skip
-ALL_FIELDS: tuple[str, ...] = get_args(Field)
 
 
-def check_arrays(solution: Solution[Any, Any], names: Iterable[str], grid: Grid) -> None:
-    """Raises ProtocolError if an array is missing or does not have the shape of the grid."""
+def checked(solution: S, names: Collection[str], grid: Grid) -> S:
+    """Returns the solution with the arrays `names` and its grid, which answers omit because the caller has it. Raises
+    ProtocolError if an array is missing or does not have the shape of the grid.
+    """
     for name in names:
-        array = getattr(solution, name)
+        array = getattr(solution, name, None)
         if array is None and name in _MAY_LACK:
             continue
         if array is None:
             raise ProtocolError(f"The answer lacks the requested {name}.")
         if array.shape != grid.shape:
             raise ProtocolError(f"The answer's {name} has shape {list(array.shape)} instead of {list(grid.shape)}.")
-
-
-def on_grid(solution: S, grid: Grid) -> S:
-    """Returns the solution with its grid, which answers omit because the caller has it."""
     object.__setattr__(solution, "grid", grid)
-    return solution
+    return without_other_arrays(solution, names)
 
 
-def read_solution(
-    grid: Grid, names: list[str] | None, result: Any, path: str = "result"
-) -> ContactSolution | PartialSolution:
+def read_solution(grid: Grid, names: list[str] | None, result: Any, path: str = "result") -> ContactSolution:
     """Reads the solution of a problem with the requested arrays `names`; None means all."""
-    solution = read(ContactSolution, result, path) if names is None else read(PartialSolution, result, path)
-    check_arrays(solution, ALL_FIELDS if names is None else names, grid)
-    return on_grid(solution, grid)
+    return checked(read(ContactSolution, result, path), ALL_FIELDS if names is None else names, grid)
 
 
 @with_inherited_attributes
 @dataclass(frozen=True, eq=False, repr=False, kw_only=True)
-class StepSolution(PartialSolution):
-    """The solution of a step. Arrays are None unless `fields` names them. `converged` can be False only if the session
-    accepts that.
+class StepSolution(ContactSolution):
+    """The solution of a step, with the arrays named by `fields`. `converged` can be False only if the session accepts
+    that.
 
     Attributes:
         step: Number of the step.
