@@ -2,8 +2,12 @@
 #pragma once
 
 #include <memory>
+#include <span>
+#include <vector>
 
+#include "contactd/grid.hpp"
 #include "contactd/material.hpp"
+#include "contactd/observer.hpp"
 #include "contactd/step_operator.hpp"
 #include "operators/fft/padded_fft.hpp"
 #include "row_rotations.hpp"
