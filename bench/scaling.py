@@ -1,9 +1,8 @@
-"""Measures the cost of each model against the number of elements and writes docs/performance.csv and its picture,
-docs/performance.png."""
+"""Measures the cost of each model against the number of elements and writes docs/performance.csv, with commit and
+machine, and its picture, docs/performance.png."""
 
 from __future__ import annotations
 
-import csv
 import signal
 import subprocess
 import sys
@@ -16,6 +15,8 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
+
+import pages
 
 DOCS = Path(__file__).resolve().parent.parent / "docs"
 #: Rows of bench_scaling and their names in the picture: a scalar product and simplified models, then solvers.
@@ -92,12 +93,11 @@ def draw(lines: list[Row], picture: Path) -> None:
     figure.savefig(picture, dpi=110)
 
 
-def write(rows: list[Row], docs: Path = DOCS) -> None:
+def write(rows: list[Row], docs: Path = DOCS, now: dict[str, str] | None = None) -> None:
+    """Writes both files. `now` is the provenance of the rows, by default that of the present commit."""
     lines = table_of(rows)
-    with open(docs / "performance.csv", "w", newline="") as file:
-        writer = csv.DictWriter(file, list(lines[0]), lineterminator="\n")
-        writer.writeheader()
-        writer.writerows(lines)
+    now = now or pages.provenance()
+    pages.write(docs / "performance.csv", [{**line, **now} for line in lines])
     draw(lines, docs / "performance.png")
     print(f"written: {docs / 'performance.csv'}, {docs / 'performance.png'}")
 
@@ -109,6 +109,7 @@ def plot(program: Path, run: Callable[..., list[Row]]) -> int:
     print("cost against the number of elements: about three minutes and up to 2 GB of memory", file=sys.stderr, flush=True)
     try:
         write(rows_of(program, run))
+        pages.write_pages()
     except KeyboardInterrupt:
         print("interrupted; docs/performance.csv and docs/performance.png are unchanged", file=sys.stderr)
         return 130

@@ -9,7 +9,7 @@ from typing import Any
 
 Row = dict[str, Any]
 
-_TEXTS = {"curve", "parameter", "solver"}
+_TEXTS = {"curve", "parameter", "solver", "commit"}
 
 
 def write_csv(path: Path, rows: Iterable[Row], columns: Sequence[str]) -> None:
