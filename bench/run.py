@@ -7,6 +7,8 @@ Times depend on the machine and its load. Compare the ratios.
                           with one worker and two
     ./dev bench --plot    cost of each model against the number of elements: docs/performance.csv and
                           docs/performance.png (three minutes, 2 GB of memory)
+    ./dev bench --page    all of these: docs/benchmarks.csv, docs/performance.csv, and the pages that show them
+                          (bench/page_values.py, an hour)
     ./dev bench --transforms [--quick]  times with FFTW's transforms over those with ducc0's, alternating both programs
 """
 
@@ -23,6 +25,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+import page_values
+import pages
 import scaling
 import service
 import transforms
@@ -137,9 +141,12 @@ def main() -> int:
     parser.add_argument("--service", action="store_true", help="latency and throughput of the daemon instead")
     parser.add_argument("--plot", action="store_true", help="cost against the number of elements, for docs/performance.md")
     parser.add_argument("--transforms", action="store_true", help="compare the transforms of FFTW and ducc0")
+    parser.add_argument("--page", action="store_true", help="measure all values of the pages, and write the pages")
     parser.add_argument("--json", type=Path, help="also write the rows to this file")
     arguments = parser.parse_args()
 
+    if arguments.page and (arguments.only or pages.provenance()["commit"].endswith("-dirty")):
+        parser.error("--page measures all rows of one commit: commit your changes first, and omit --only")
     if arguments.service:
         service.report(arguments.bin, arguments.quick, arguments.json)
         return 0
@@ -160,6 +167,8 @@ def main() -> int:
     if arguments.json:
         arguments.json.write_text(json.dumps(rows, indent=1))
     print_table(rows)
+    if arguments.page:
+        page_values.write(arguments.bin, arguments.quick, rows, run, ratio)
     return any(row.get("error_occurred") for row in rows)
 
 

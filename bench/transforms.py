@@ -1,7 +1,7 @@
 """Runs the same benchmarks with the transforms of ducc0 and of FFTW, alternating both programs: ./dev bench
 --transforms.
 
-Prints the table of docs/performance.md.
+./dev bench --page writes them to docs/performance.md.
 """
 
 from __future__ import annotations
@@ -34,8 +34,9 @@ def named(program: str, row: str) -> str | None:
     return None
 
 
-def report(of_ducc0: Path, of_fftw: Path, quick: bool, run: Runner) -> None:
-    """Runs the programs of both folders alternately, and prints medians of their times and of the ratios."""
+def measure(of_ducc0: Path, of_fftw: Path, quick: bool, run: Runner) -> dict[str, tuple[float, float]]:
+    """Runs the programs of both folders alternately. Returns the median of the seconds with ducc0, and that of the
+    ratios, for each row of the table."""
     taken: dict[str, dict[str, list[float]]] = defaultdict(lambda: defaultdict(list))
     for program in ROWS:
         for _ in range(ROUNDS):
@@ -43,7 +44,17 @@ def report(of_ducc0: Path, of_fftw: Path, quick: bool, run: Runner) -> None:
                 for row in run(folder / program, quick, dict(os.environ)):
                     if not row.get("error_occurred") and (label := named(program, row["name"])):
                         taken[label][name].append(row["seconds"])
+    return {
+        label: (
+            statistics.median(of["ducc0"]),
+            statistics.median(b / a for a, b in zip(of["ducc0"], of["fftw"], strict=True)),
+        )
+        for label, of in taken.items()
+    }
+
+
+def report(of_ducc0: Path, of_fftw: Path, quick: bool, run: Runner) -> None:
+    """Prints the table."""
     print("| row | ducc0, us | FFTW / ducc0 |\n|---|---|---|")
-    for label, of in taken.items():
-        ratio = statistics.median(b / a for a, b in zip(of["ducc0"], of["fftw"], strict=True))
-        print(f"| {label} | {statistics.median(of['ducc0']) * 1e6:.3g} | {ratio:.2f} |")
+    for label, (seconds, ratio) in measure(of_ducc0, of_fftw, quick, run).items():
+        print(f"| {label} | {seconds * 1e6:.3g} | {ratio:.2f} |")
