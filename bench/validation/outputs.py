@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+import pages
 from paper.page import fill
 from paper.rows import Row, read_csv, write_csv
 
@@ -19,6 +20,7 @@ Say = Callable[[str], None]
 
 CASES, TIMES, PAGE = "cases.csv", "times.csv", "validation.md"
 TEMPLATE = Path(__file__).with_name(f"{PAGE}.in")
+FOLDER = pages.ROOT / "docs" / "validation"  #: whose values other pages repeat
 
 
 def write_tables(files: Sequence[GivenFile], cases: Sequence[Row], timed: Sequence[Row], folder: Path) -> list[Path]:
@@ -47,6 +49,8 @@ def write_page(folder: Path, say: Say) -> None:
     text, surprises = render(folder)
     page = folder.parent / PAGE
     page.write_text(text)
+    if folder.resolve() == FOLDER:
+        pages.write_pages()
     say("wrote " + ", ".join(map(str, [*written, page])))
     for name in surprises:
         say(f"note: '{name}' came out otherwise than its text in bench/validation/{PAGE}.in was written for")
