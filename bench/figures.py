@@ -4,7 +4,7 @@ A figure is a number with a unit of time or memory, a percentage, a multiple ("1
 of products, iterations or cases, or a small number after "within" and similar words, anywhere in the text of a page. In
 a table, a row of numbers is one figure. Each figure is in one of these files:
 
-* docs/recorded.csv, with the command, the commit and the machine of its measurement;
+* docs/recorded.csv, with the command, the commit and the machine of its measurement (`any`: no effect);
 * docs/repeated.csv, with its source: a template (bench/pages.py) whose text is the figure;
 * docs/given.csv, with the reason why it is not measured. There, `*` stands for all figures of a section or page;
 * another CSV file, from which bench/pages.py fills it into the template of its page.
@@ -27,15 +27,20 @@ from pages import PLACE, TEMPLATES, Values, provenance, read, render, write
 
 ROOT = Path(__file__).resolve().parent.parent
 RECORDED, REPEATED, GIVEN = "docs/recorded.csv", "docs/repeated.csv", "docs/given.csv"
-#: Generated pages are compared with their files as a whole: these here by tests/bench, those of TEMPLATES by tests/docs.
-PAGES = ("README.md", "CHANGELOG.md", "paper/paper.md", "docs/*.md", "docs/developing/*.md")
+PAGES = ("*.md", "paper/*.md", "docs/*.md", "docs/developing/*.md", "client/*/*.md", "tests/*.md")
+#: Generated pages, which tests/bench compares with their files as a whole.
 GENERATED = ("docs/validation.md",)
 NUMBER = r"[-+]?\d[\d,]*(?:\.\d+)?(?:e-?\d+)?"
 LIST = rf"{NUMBER}(?:(?:,|;|,?\s+(?:to|and|or|of))\s+{NUMBER})*"
-UNITS = r"ns|us|ms|s|min|h|seconds?|minutes?|hours?|kB|MB|GB|KiB|MiB|GiB|%|times|of\s+the\s+time|products|iterations|(?:public\s+)?cases|agree|differ"
+UNITS = (
+    r"ns|us|ms|s|min|h|seconds?|minutes?|hours?|kB|MB|GB|KiB|MiB|GiB|%|times|of\s+the\s+time"
+    r"|products|iterations|(?:public\s+)?cases|agree|differ"
+)
+#: Words before an error.
+ERROR = r"within|agree\w*\s+to|differ\w*\s+by|errors?\s+(?:of|below)|accurate\s+to"
 FIGURE = re.compile(
     rf"(?<![\w./^-]){LIST}\s*(?:{UNITS})(?![\w/^])"
-    r"|(?<![\w/])1/\d+\.\d+|\b(?:within|agree\w*\s+to|differ\w*\s+by|errors?\s+(?:of|below)|accurate\s+to)\s+\d[\d.]*e-\d+"
+    rf"|(?<![\w/])1/\d+\.\d+|\b(?:{ERROR})\s+\d[\d.]*e-\d+"
 )
 #: Names of columns whose numbers are not measured.
 INPUTS = re.compile(r"\W*(aim|target|grid|elements|accuracy|n|default|range|unit|symbol)\W*", re.IGNORECASE)
@@ -69,9 +74,8 @@ def figures(page: str, text: str) -> Iterator[Figure]:
         for line in part.splitlines():
             cells = _cells(line) if line.startswith("|") else []
             head = (head or cells) if cells else []
-            numbers = [] if cells is head else [
-                cell for name, cell in list(zip(head, cells))[1:] if NUMBERS.fullmatch(cell) and not INPUTS.fullmatch(name)
-            ]  # fmt: skip
+            named = [] if cells is head else zip(head[1:], cells[1:])
+            numbers = [cell for name, cell in named if NUMBERS.fullmatch(cell) and not INPUTS.fullmatch(name)]
             if numbers:
                 yield Figure(page, section, " | ".join(numbers))
                 line = " ".join(cell for cell in cells if cell not in numbers)
@@ -126,7 +130,7 @@ def check(root: Path = ROOT) -> Check:
 
 
 def record(command: str, root: Path = ROOT) -> None:
-    """Writes docs/recorded.csv in the order of the pages. Rows of figures that moved to another section go with them."""
+    """Writes docs/recorded.csv in the order of the pages. Rows follow figures that moved to another section."""
     now = {"command": command, **provenance(root)}
     now["commit"] = now["commit"].removesuffix("-dirty")  # by the page with the figure
     rows, elsewhere, kept = read(root / RECORDED), listed(GIVEN, root) + listed(REPEATED, root), []

@@ -93,7 +93,8 @@ def by_daemons(programs: Path, quick: bool) -> Iterator[Value]:
     for name, given in (("ipc", {}), ("tcp", {"endpoint": "tcp://127.0.0.1:*"})):
         with LocalDaemon(daemon, config={"log": {"level": "warn"}, **given}) as running:
             yield from of_sessions(name, session_steps.run(running.endpoint, 25, 300, 0.05, 0.1))
-    with LocalDaemon(daemon, config={"workers": 2, "log": {"level": "error"}}) as running, Client(running.endpoint) as client:
+    config = {"workers": 2, "log": {"level": "error"}}
+    with LocalDaemon(daemon, config=config) as running, Client(running.endpoint) as client:
         for model in ("fastsim", "full"):
             seconds = vehicle_steps.by_python(client, model, rounds)
             for quantity, part in (("ms", 0.5), ("p99_ms", 0.99)):
@@ -110,7 +111,7 @@ def rows_of_file(measured: dict[str, float], wanted: list[str], now: dict[str, s
     """Returns the rows of docs/benchmarks.csv: the wanted keys, in their order. Exits if one was not measured."""
     if missing := [key for key in wanted if not any(fnmatchcase(name, key) for name in measured)]:
         raise SystemExit("These values of the templates were not measured: " + "; ".join(missing))
-    keys = dict.fromkeys(name for key in wanted for name in (measured if "*" in key else [key]) if fnmatchcase(name, key))
+    keys = dict.fromkeys(name for key in wanted for name in measured if fnmatchcase(name, key))
     parts = {key: key.rpartition(" ") for key in keys}
     return [
         {"row": row, "quantity": quantity, "value": pages.digits(measured[key]), **now}
@@ -118,15 +119,18 @@ def rows_of_file(measured: dict[str, float], wanted: list[str], now: dict[str, s
     ]
 
 
-def write(programs: Path, quick: bool, rows: list[Row], run: Callable[..., list[Row]], ratio: Ratio) -> None:
+def write(
+    programs: Path, quick: bool, rows: list[Row], run: Callable[..., list[Row]], ratio: Ratio, root: Path = pages.ROOT
+) -> None:
     """Measures what ./dev bench does not, with its rows given, and writes all files and pages at the end."""
     now = pages.provenance()
     measured = dict(of_benchmarks(rows, ratio))
-    measured |= dict(of_transforms(transforms.measure(programs, programs.parents[1] / "production-fftw" / "bin", quick, run)))
+    of_fftw = programs.parents[1] / "production-fftw" / "bin"
+    measured |= dict(of_transforms(transforms.measure(programs, of_fftw, quick, run)))
     measured |= dict(by_daemons(programs, quick))
-    found = rows_of_file(measured, pages.needed(), now)
+    found = rows_of_file(measured, pages.needed(root), now)
     curves = scaling.rows_of(programs / "bench_scaling", partial(run, quick=True, environment=dict(os.environ)))
-    pages.write(pages.ROOT / "docs" / "benchmarks.csv", found)
-    scaling.write(curves, now=now)
-    pages.write_pages()
-    print(f"written: {pages.ROOT / 'docs' / 'benchmarks.csv'}")
+    pages.write(root / "docs" / "benchmarks.csv", found)
+    scaling.write(curves, root / "docs", now)
+    pages.write_pages(root)
+    print(f"written: {root / 'docs' / 'benchmarks.csv'}")

@@ -54,7 +54,7 @@ def provenance(root: Path = ROOT) -> dict[str, str]:
     command = ["git", "-C", str(root), "describe", "--always", "--dirty", "--exclude=*"]
     commit = subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
     lines = Path("/proc/cpuinfo").read_text().splitlines()
-    models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")] or ["unknown processor"]
+    models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")] or ["unknown"]
     return {"commit": commit, "machine": f"{models[0]}, {len(models)} processors", "date": date.today().isoformat()}
 
 

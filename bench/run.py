@@ -8,7 +8,7 @@ Times depend on the machine and its load. Compare the ratios.
     ./dev bench --plot    cost of each model against the number of elements: docs/performance.csv and
                           docs/performance.png (three minutes, 2 GB of memory)
     ./dev bench --page    all of these: docs/benchmarks.csv, docs/performance.csv, and the pages that show them
-                          (bench/page_values.py, an hour)
+                          (bench/page_values.py)
     ./dev bench --transforms [--quick]  times with FFTW's transforms over those with ducc0's, alternating both programs
 """
 

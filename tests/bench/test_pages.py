@@ -1,7 +1,11 @@
 """What ./dev bench --page measures becomes a file, and the file becomes pages."""
 
+import re
+import shutil
+
 import pytest
 
+import page_values
 import pages
 from page_values import of_benchmarks, of_latency, of_many, of_sessions, rows_of_file
 from run import ratio
@@ -85,6 +89,37 @@ def test_the_file_has_a_value_for_each_key_of_the_templates():
     names = [f"{row['row']} {row['quantity']}" for row in pages.read(pages.ROOT / "docs" / "benchmarks.csv")]
     assert len(names) == len(set(names))
     assert set(names) == {key for key in pages.needed() if "*" not in key}
+
+
+@pytest.fixture
+def root(tmp_path):
+    """The templates and the files of their values."""
+    for name in [*pages.TEMPLATES.values(), *(str(path.relative_to(pages.ROOT)) for path in pages.ROOT.glob("docs/*.csv"))]:
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        shutil.copy(pages.ROOT / name, tmp_path / name)
+    shutil.copytree(pages.ROOT / "docs" / "validation", tmp_path / "docs" / "validation")
+    return tmp_path
+
+
+def test_one_run_renews_all_values_and_pages(root, monkeypatch):
+    old = pages.read(root / "docs" / "benchmarks.csv")
+    measured = {f"{row['row']} {row['quantity']}": float(re.findall(r"[\d.]+", row["value"])[0]) for row in old}
+    curves = [
+        {"name": f"bench_scaling.{row['model']}/n:{row['elements']}", "elements": row["elements"], "cpu_time": float(row["us"]),
+         "time_unit": "us", **({"A_p": float(row["products"]), "solver_iterations": row["iterations"]} if row["products"] else {})}
+        for row in pages.read(root / "docs" / "performance.csv")
+    ]  # fmt: skip
+    monkeypatch.setattr(pages, "provenance", lambda: NOW)
+    monkeypatch.setattr(page_values.transforms, "measure", lambda *_: {})
+    monkeypatch.setattr(page_values, "by_daemons", lambda *_: iter(measured.items()))
+    monkeypatch.setattr(page_values.scaling, "rows_of", lambda *_: curves)
+    page_values.write(root / "build" / "production" / "bin", True, [], lambda *_: [], ratio, root)
+    for file in ("benchmarks.csv", "performance.csv"):
+        assert {row["commit"] for row in pages.read(root / "docs" / file)} == {"0123abcd"}
+    page = (root / "docs" / "performance.md").read_text()
+    assert f"| 0123abcd | 2026-12-01 | own | {len(measured)} |" in page
+    assert "several versions" not in page
+    assert len(pages.read(root / "docs" / "benchmarks.csv")) == len(old)
 
 
 @pytest.mark.parametrize(("value", "shown"), [(560.4, "560"), (1384.2, "1380"), (0.0512, "0.0512"), (6.0, "6"), (1.203, "1.2")])
