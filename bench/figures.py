@@ -65,7 +65,8 @@ def anchor(heading: str) -> str:
 
 def figures(page: str, text: str) -> Iterator[Figure]:
     """Yields the figures of a page or of its template, except those in code and the placeholders."""
-    text = re.sub(r"^( *)```.*?^\1```|^    .*?$", "", PLACE.sub("§", text), flags=re.MULTILINE | re.DOTALL)
+    text = re.sub(r"^( *)```.*?^\1```", "", PLACE.sub("§", text), flags=re.MULTILINE | re.DOTALL)
+    text = re.sub(r"\n\n(?:(?:    .*)?\n)+", "\n\n", text)
     text = re.sub(r"\]\([^)]*\)|\[", "", re.sub(r"`[^`]*`", "]", text))
     for part in re.split(r"^(?=#+ )", text, flags=re.MULTILINE):
         section = anchor(part.partition("\n")[0]) if part.startswith("#") else ""
