@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "contactd/fields/grid_arrays.hpp"
+
 namespace contactd::cases {
 namespace {
 
@@ -41,10 +43,16 @@ std::vector<double> on_grid(const std::vector<double>& values, const Grid& from,
 
 SurfaceState on_grid(const SurfaceState& state, const Grid& from, const Grid& to, const FrictionLaw& friction) {
     if (from == to) return state;
-    SurfaceState moved{on_grid(state.pressure, from, to), on_grid(state.traction_x, from, to),
-                       on_grid(state.traction_y, from, to)};
-    if (friction.layer) moved.yield_stress = on_grid(state.yield_stress, from, to, {friction.layer->yield_stress});
-    moved.friction_coefficient = on_grid(state.friction_coefficient, from, to, friction.mu);
+    SurfaceState moved;
+    for (const HistoryArray& array : history_arrays) {
+        std::vector<double> elsewhere{0};
+        if (!array.is_traction()) {
+            if (!array.entering(friction, 0)) continue;
+            elsewhere.resize(to.size());
+            for (std::size_t i = 0; i < elsewhere.size(); ++i) elsewhere[i] = *array.entering(friction, i);
+        }
+        moved.*array.before = on_grid(state.*array.before, from, to, elsewhere);
+    }
     return moved;
 }
 

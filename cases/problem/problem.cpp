@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "closed_forms/undeformed_distance.hpp"
+#include "contactd/history.hpp"
 #include "given/coefficients_file.hpp"
 #include "given/given_friction.hpp"
 #include "history/moved.hpp"
@@ -209,11 +210,6 @@ void add_friction(ContactProblem& problem, const Given& settings,
     problem.rigid_slip = extra_slip(settings, problem.grid, problem.motion);
 }
 
-SurfaceState state_of(const ContactSolution& solution) {
-    return {solution.pressure, solution.traction_x, solution.traction_y, solution.yield_stress,
-            solution.friction_coefficient};
-}
-
 /// Starts the search for a motion under a prescribed force from the motion found in the last case.
 void estimate_motion(ContactProblem& problem, const Motion& found) {
     if (auto* next = std::get_if<Rolling>(&problem.motion)) {
@@ -239,11 +235,11 @@ bool goes_on(const Given& settings) {
 void continue_from(ContactProblem& problem, const Given& settings, const LastCase& last) {
     const Grid &now = problem.grid, &before = last.problem.grid;
     if (settings.digits.estimate != 0 && now.nx == before.nx && now.ny == before.ny) {
-        problem.initial = state_of(last.solution);
+        problem.initial = end_of(last.solution);
         if (last.solution.motion) estimate_motion(problem, *last.solution.motion);
     }
     if (!goes_on(settings)) return;
-    const SurfaceState end = settings.digits.previous == again ? last.problem.previous : state_of(last.solution);
+    const SurfaceState end = settings.digits.previous == again ? last.problem.previous : end_of(last.solution);
     problem.previous = on_grid(end, before, now, *problem.friction);
 }
 

@@ -7,6 +7,7 @@
 #include "area/contact_columns_check.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fields/contact_setup.hpp"
+#include "contactd/fields/grid_arrays.hpp"
 #include "fatigue/contact_fatigue_check.hpp"
 #include "heat/contact_temperature_check.hpp"
 #include "magnitude.hpp"
@@ -31,21 +32,17 @@ void check_array(const std::vector<double>& values, std::size_t size, const std:
 }
 
 void check_state(const SurfaceState& state, std::size_t size, const std::string& field) {
-    if (!state.pressure.empty()) check_array(state.pressure, size, field + ".pressure");
-    if (!state.traction_x.empty()) check_array(state.traction_x, size, field + ".traction_x");
-    if (!state.traction_y.empty()) check_array(state.traction_y, size, field + ".traction_y");
-    if (!state.friction_coefficient.empty()) {
-        check_array(state.friction_coefficient, size, field + ".friction_coefficient");
-        for (const double mu : state.friction_coefficient)
-            if (!(mu >= 0))
-                throw InvalidArgument(field + ".friction_coefficient",
-                                      "has " + number_text(mu) + "; it must be zero or positive");
+    for (const HistoryArray& array : history_arrays) {
+        const std::vector<double>& values = state.*array.before;
+        if (values.empty()) continue;
+        const std::string name = field + "." + std::string(array.name);
+        check_array(values, size, name);
+        if (array.is_traction()) continue;
+        for (const double value : values)
+            if (!array.bounds.contain(value))
+                throw InvalidArgument(name, "has " + number_text(value) + "; it must be " +
+                                                (array.bounds.least_excluded ? "positive" : "zero or positive"));
     }
-    if (state.yield_stress.empty()) return;
-    check_array(state.yield_stress, size, field + ".yield_stress");
-    for (const double stress : state.yield_stress)
-        if (!(stress > 0))
-            throw InvalidArgument(field + ".yield_stress", "has " + number_text(stress) + "; it must be positive");
 }
 
 void check_finite(double value, const std::string& field, const char* meaning) {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "contactd/history.hpp"
 #include "contactd/solve_contact.hpp"
 #include "engine/ics/problem_tables.hpp"
 #include "engine/steps/not_converged.hpp"
@@ -47,11 +48,7 @@ ContactSolution ContactSteps::solve(const StepState& before, const Overlay& over
 }
 
 StepState ContactSteps::after(const StepState& before, ContactSolution&& solution) {
-    return {before.step + 1,
-            {std::move(solution.pressure), std::move(solution.traction_x), std::move(solution.traction_y),
-             std::move(solution.yield_stress), std::move(solution.friction_coefficient)},
-            solution.motion,
-            {}};
+    return {before.step + 1, end_of(std::move(solution)), solution.motion, {}};
 }
 
 void ContactSteps::fit_influence(InfluenceCache& cache, const Observer& observer) {

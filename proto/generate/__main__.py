@@ -9,18 +9,21 @@ import argparse
 import sys
 from pathlib import Path
 
-from . import c_paths, cpp, fmu, python
+from . import array_rows, c_paths, cpp, fmu, grid_arrays, python
 from .declarations import ROOT, Declarations
 
 
 def differing() -> dict[Path, str | None]:
     """Returns the generated text of each file that differs from the tree, or None for a file that should not exist."""
-    declarations = Declarations()
+    schemas = array_rows.schema_files()
+    declarations = Declarations(texts=schemas)
     generated = {
+        **schemas,
         **cpp.cpp_files(declarations),
         **c_paths.c_files(declarations),
         **fmu.fmu_files(declarations),
         **python.python_files(declarations),
+        **grid_arrays.grid_array_files(declarations),
     }
     wrong: dict[Path, str | None] = {
         path: text for path, text in generated.items() if not path.exists() or path.read_text() != text

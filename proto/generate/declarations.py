@@ -19,6 +19,13 @@ with a name have a special form in messages, and so do objects none of whose fie
 `x-cpp-none`  the value of a number's member that is omitted in messages: 0 or infinity
 `x-cpp-owner` the structs that contain an object's fields, if the object is not a struct; x-cpp is then the name of a view
 `x-partial`   an object with a selection of the fields of the given struct
+`x-arrays-of` an object that refers to each array of the given document; ./dev generate adds the rows
+`x-history`   an array that a step passes on to the next. An array other than tractions also has:
+               if, enters  whether a friction law `law` keeps it, and its value for a particle `element` that enters the contact,
+                           both as code in C++
+               minimum, exclusiveMinimum  0, its bound
+               fmu       up to two variables of FMUs, named by their paths, that are 0 where the law does not keep it
+`x-label`     the name and the unit of an array in data sets
 `x-python`    a field in Python, if it is not a plain field:
                type      its type;  default: its default, both as code
                says      its description
@@ -44,7 +51,7 @@ with a name have a special form in messages, and so do objects none of whose fie
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -108,10 +115,12 @@ class Enum:
 
 
 class Declarations:
-    """All declarations in the documents of a folder, by the names of the types."""
+    """All declarations in the documents of a folder, by the names of the types. `texts` replace those of files."""
 
-    def __init__(self, folder: Path = SCHEMAS) -> None:
-        self._documents: dict[str, Schema] = {path.name: json.loads(path.read_text()) for path in sorted(folder.glob("*.json"))}
+    def __init__(self, folder: Path = SCHEMAS, texts: Mapping[Path, str] | None = None) -> None:
+        self._documents: dict[str, Schema] = {
+            path.name: json.loads((texts or {}).get(path) or path.read_text()) for path in sorted(folder.glob("*.json"))
+        }
         self.structs: dict[str, Struct] = {}
         self.enums: dict[str, Enum] = {}
         self.schemas: dict[str, Schema] = {}  # one schema for each struct

@@ -52,8 +52,8 @@ TEST_CASE("Notes of a schema's file are used, not shown", "[openrpc]") {
         CHECK(method["summary"] == schema(method["name"].get<std::string>() + ".params")["x-summary"]);
     CHECK(openrpc()["methods"][0]["name"] == "server.info");
     const std::string document = openrpc().dump();
-    for (const char* note : {"x-order", "x-summary", "x-errors", "x-cpp", "x-derived", "x-fmu", "x-largest", "x-parity",
-                             "x-partial", "x-python"}) {
+    for (const char* note : {"x-order", "x-summary", "x-errors", "x-arrays-of", "x-cpp", "x-derived", "x-fmu",
+                             "x-history", "x-label", "x-largest", "x-parity", "x-partial", "x-python"}) {
         CAPTURE(note);
         CHECK(document.find(note) == std::string::npos);
     }

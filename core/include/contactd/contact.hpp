@@ -177,21 +177,12 @@ enum class SolutionField {
 };
 /// Selects the arrays to include in an answer.
 using SolutionFields = std::vector<SolutionField>;
-inline const SolutionFields all_solution_fields{SolutionField::element_division,
-                                                SolutionField::pressure,
-                                                SolutionField::traction_x,
-                                                SolutionField::traction_y,
-                                                SolutionField::slip_x,
-                                                SolutionField::slip_y,
-                                                SolutionField::displacement_x,
-                                                SolutionField::displacement_y,
-                                                SolutionField::displacement_z,
-                                                SolutionField::flow_x,
-                                                SolutionField::flow_y,
-                                                SolutionField::yield_stress,
-                                                SolutionField::friction_coefficient,
-                                                SolutionField::upper_temperature,
-                                                SolutionField::lower_temperature};
+inline const SolutionFields all_solution_fields = [] {
+    SolutionFields all;
+    for (int field = 0; field <= static_cast<int>(SolutionField::lower_temperature); ++field)
+        all.push_back(static_cast<SolutionField>(field));
+    return all;
+}();
 
 /// Returns the length of one step (mm): dq, or size_along of the elements if dq is 0.
 double step_length(const Rolling& rolling, const Grid& grid);

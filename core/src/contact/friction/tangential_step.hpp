@@ -20,9 +20,6 @@ namespace contactd {
 struct Tractions {
     std::vector<double> pressure;
     Field tangential;
-    /// Hold the values at the end of the step for a layer that yields (N/mm^2) and for kinetic friction; empty
-    /// otherwise.
-    std::vector<double> yield_stress{}, friction_coefficient{};
 };
 
 /// Returns whether one or both components of the force are prescribed.

@@ -71,19 +71,19 @@ class BoundaryElements {
         const int steps = number_of_steps();
         Tractions before =
             make_tractions(n_, problem_.previous.pressure, problem_.previous.traction_x, problem_.previous.traction_y);
-        before.yield_stress = problem_.previous.yield_stress;
-        before.friction_coefficient = problem_.previous.friction_coefficient;
+        const SurfaceState* particles = &problem_.previous;
         Field last;  // tractions of the previous step but one
         for (int step = 0; step < steps; ++step) {
             PartObserver part(observer, static_cast<double>(step) / steps, (step + 1.0) / steps);
             if (step_) step_->begin(before);
-            if (layer_) layer_->begin(before.yield_stress);
-            if (memory_) memory_->begin(before.friction_coefficient);
+            if (layer_) layer_->begin(particles->yield_stress);
+            if (memory_) memory_->begin(particles->friction_coefficient);
             if (step >= 2) go_on(before.tangential, last);
             take_step(part, step == 0);
             remember_failures();
             last = std::move(before.tangential);
             before = now_;
+            particles = &particles_;
         }
         return finished();
     }
@@ -212,7 +212,7 @@ class BoundaryElements {
         now_.tangential.y = tangential_.traction_y;
         if (layer_) {
             layer_->divide(bound_of_friction(followed_mu()), tangential_);
-            now_.yield_stress = tangential_.yield_stress;
+            particles_.yield_stress = tangential_.yield_stress;
         }
         auto& evidence = solution_.evidence.tangential;
         if (!evidence) evidence = SolverEvidence{};
@@ -268,11 +268,11 @@ class BoundaryElements {
                 velocity[i] = std::hypot(tangential_.slip_x[i], tangential_.slip_y[i]) / seconds;
         if (temperature_law_) {
             const double change = temperature_law_->follow(motion_of_elements(std::move(velocity)), now_.pressure);
-            if (temperature_law_->has_memory()) now_.friction_coefficient = temperature_law_->mu();
+            if (temperature_law_->has_memory()) particles_.friction_coefficient = temperature_law_->mu();
             return change;
         }
         const double change = slip_law_->follow(velocity, now_.pressure);
-        now_.friction_coefficient = slip_law_->mu();
+        particles_.friction_coefficient = slip_law_->mu();
         return change;
     }
 
@@ -332,7 +332,7 @@ class BoundaryElements {
         solution_.flow_x = std::move(tangential_.flow_x);
         solution_.flow_y = std::move(tangential_.flow_y);
         if (layer_ && layer_->task() != nullptr) solution_.yield_stress = std::move(tangential_.yield_stress);
-        solution_.friction_coefficient = std::move(now_.friction_coefficient);
+        solution_.friction_coefficient = std::move(particles_.friction_coefficient);
         solution_.motion = step_->motion();
         solution_.evidence.force = step_->force_evidence();
     }
@@ -345,6 +345,7 @@ class BoundaryElements {
     std::optional<TangentialStep> step_;
     std::optional<LayerFlow> layer_;  // of a layer that yields
     Tractions now_;
+    SurfaceState particles_;  // besides tractions, at the end of the last step, as far as the friction law keeps it
     const std::unique_ptr<const ApproachOperator> along_approach_;  // for curved strips only
     NormalSolver normal_;
     // It is set if there are pressures of an earlier solve, which are nearer than a closed form.

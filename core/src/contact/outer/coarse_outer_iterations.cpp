@@ -44,7 +44,7 @@ bool is_plain(const ContactProblem& problem) {
 
 ContactProblem on_coarser(const ContactProblem& fine, const CoarserGrid& coarse, const std::vector<double>& distance) {
     ContactProblem problem = fine;
-    problem.initial = {};
+    problem.initial = problem.previous = {};
     problem.derivatives = false;
     problem.grid = coarser(fine.grid, coarse);
     if (!paraboloid_of(fine)) {

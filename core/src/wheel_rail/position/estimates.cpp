@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "contactd/fields/grid_arrays.hpp"
+
 namespace contactd {
 namespace {
 
@@ -46,16 +48,14 @@ SurfaceState estimate_for(const ContactPlace& place, const std::vector<Patch>& b
     const Patch* patch = nearest(place, before);
     if (patch == nullptr) return {};
     const auto of = [&](const Values& values) { return moved(values, patch->grid, place.grid); };
-    return {of(patch->tractions.pressure), of(patch->tractions.traction_x), of(patch->tractions.traction_y)};
+    SurfaceState estimate;
+    for (const HistoryArray& array : history_arrays)
+        if (array.is_traction()) estimate.*array.before = of(patch->tractions.*array.before);
+    return estimate;
 }
 
 Patch estimate_of(const geometry::CandidatePatch& found, double x, const ContactSolution& solution) {
-    return {found.place.grid,
-            found.place.reference.y,
-            found.place.on_rail,
-            x,
-            {solution.pressure, solution.traction_x, solution.traction_y, solution.yield_stress,
-             solution.friction_coefficient}};
+    return {found.place.grid, found.place.reference.y, found.place.on_rail, x, end_of(solution)};
 }
 
 }  // namespace contactd

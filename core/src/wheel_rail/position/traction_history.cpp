@@ -13,18 +13,16 @@ double value_at(const std::vector<double>& values, std::size_t i) {
     return values.empty() ? 0 : values[i];
 }
 
-std::optional<double> value_if_any(const std::vector<double>& values, std::size_t i) {
-    if (values.empty()) return {};
-    return values[i];
-}
-
-/// Sets the state of particles that have not been in contact, if the friction of the problem has a state.
-void begin_friction_state(SurfaceState& state, const ContactProblem& problem) {
-    if (!problem.friction) return;
-    const FrictionLaw& law = *problem.friction;
-    if (law.layer && law.layer->hardens()) state.yield_stress.assign(problem.grid.size(), law.layer->yield_stress);
-    if (!law.kinetic || !law.kinetic->memory) return;
-    for (std::size_t i = 0; i < problem.grid.size(); ++i) state.friction_coefficient.push_back(law.mu_of(i));
+/// Returns the state of particles that have not been in contact. State that friction does not keep is empty.
+SurfaceState untouched(const ContactProblem& problem) {
+    SurfaceState state;
+    for (const HistoryArray& array : history_arrays) {
+        std::vector<double>& values = state.*array.before;
+        if (array.is_traction()) values.resize(problem.grid.size());
+        if (array.is_traction() || !problem.friction || !array.is_kept(*problem.friction)) continue;
+        for (std::size_t i = 0; i < problem.grid.size(); ++i) values.push_back(*array.entering(*problem.friction, i));
+    }
+    return state;
 }
 
 }  // namespace
@@ -48,16 +46,18 @@ TractionHistory::TractionHistory(const std::vector<WheelRailEstimates::Patch>& b
         std::vector<Traction> whole;
         std::vector<Patch*> owners;  // owner of each traction
         for (std::size_t i = 0; i < patch.grid.size(); ++i) {
-            const double pressure = value_at(patch.tractions.pressure, i);
             const double along = value_at(patch.tractions.traction_x, i);
             const double across = value_at(patch.tractions.traction_y, i);
-            if (pressure == 0 && along == 0 && across == 0) continue;
+            if (value_at(patch.tractions.pressure, i) == 0 && along == 0 && across == 0) continue;
             const long long ix = elements.x + static_cast<int>(i) % elements.nx;
             const long long iy = elements.y + static_cast<int>(i) / elements.nx;
             if (Patch* owner = nearest(ix, iy)) {
                 owners.push_back(owner);
-                whole.push_back({ix, iy, pressure, along, across, value_if_any(patch.tractions.yield_stress, i),
-                                 value_if_any(patch.tractions.friction_coefficient, i)});
+                Traction& traction = whole.emplace_back(Traction{ix, iy});
+                for (std::size_t k = 0; k < history_arrays.size(); ++k) {
+                    const std::vector<double>& values = patch.tractions.*history_arrays[k].before;
+                    if (history_arrays[k].is_traction() || !values.empty()) traction.values[k] = value_at(values, i);
+                }
             } else {
                 left_behind_ += std::hypot(along, across) * patch.grid.element_area();
             }
@@ -128,20 +128,16 @@ SurfaceState TractionHistory::on(std::size_t patch, const ContactProblem& proble
     const Patch& now = patches_[patch];
     if (now.tractions.empty()) return {};
     const Elements elements = elements_of(grid, now.on_rail);
-    SurfaceState state;
-    for (auto* values : {&state.pressure, &state.traction_x, &state.traction_y}) values->resize(grid.size());
-    begin_friction_state(state, problem);
+    SurfaceState state = untouched(problem);
     for (const Traction& traction : now.tractions) {
         if (elements.beside(traction.x, traction.y) > 0) continue;
         const std::size_t i =
             static_cast<std::size_t>(traction.y - elements.y) * static_cast<std::size_t>(elements.nx) +
             static_cast<std::size_t>(traction.x - elements.x);
-        state.pressure[i] = traction.pressure;
-        state.traction_x[i] = traction.along;
-        state.traction_y[i] = traction.across;
-        if (traction.yield_stress && !state.yield_stress.empty()) state.yield_stress[i] = *traction.yield_stress;
-        if (traction.friction_coefficient && !state.friction_coefficient.empty())
-            state.friction_coefficient[i] = *traction.friction_coefficient;
+        for (std::size_t k = 0; k < history_arrays.size(); ++k) {
+            std::vector<double>& values = state.*history_arrays[k].before;
+            if (traction.values[k] && !values.empty()) values[i] = *traction.values[k];
+        }
     }
     return state;
 }

@@ -1,10 +1,12 @@
 // Determines the tractions from which a transient step starts.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
 #include "contactd/contact.hpp"
+#include "contactd/fields/grid_arrays.hpp"
 #include "contactd/wheel_rail_estimates.hpp"
 #include "contactd/wheel_rail_state.hpp"
 #include "geometry/position.hpp"
@@ -40,10 +42,10 @@ class TractionHistory {
 
         long long beside(long long ix, long long iy) const;  ///< number of elements to the farther coordinate
     };
+    /// Holds the values of an element in the order of history_arrays; state of particles may be unknown.
     struct Traction {
         long long x, y;
-        double pressure, along, across;
-        std::optional<double> yield_stress{}, friction_coefficient{};
+        std::array<std::optional<double>, std::tuple_size_v<decltype(history_arrays)>> values{};
     };
     struct Patch {
         Grid grid;
