@@ -1,6 +1,7 @@
 // Contacts in process, with the engine of the daemon.
 #include <algorithm>
 #include <chrono>
+#include <cstddef>
 #include <functional>
 #include <map>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <utility>
 
 #include "backend.hpp"
+#include "contactd/fields/grid_arrays.hpp"
 #include "contactd/status.hpp"
 #include "contactd/strip_frames.hpp"
 #include "engine/engine.hpp"
@@ -63,22 +65,13 @@ auto observed(const Control& control, std::chrono::milliseconds timeout, const A
 }
 
 void keep_requested(const SolutionFields& fields, ContactSolution& solution) {
-    const auto unwanted = [&](SolutionField field) { return std::ranges::find(fields, field) == fields.end(); };
-    if (unwanted(SolutionField::element_division)) solution.element_division.clear();
-    if (unwanted(SolutionField::pressure)) solution.pressure.clear();
-    if (unwanted(SolutionField::traction_x)) solution.traction_x.clear();
-    if (unwanted(SolutionField::traction_y)) solution.traction_y.clear();
-    if (unwanted(SolutionField::slip_x)) solution.slip_x.clear();
-    if (unwanted(SolutionField::slip_y)) solution.slip_y.clear();
-    if (unwanted(SolutionField::displacement_x)) solution.displacement_x.clear();
-    if (unwanted(SolutionField::displacement_y)) solution.displacement_y.clear();
-    if (unwanted(SolutionField::displacement_z)) solution.displacement_z.clear();
-    if (unwanted(SolutionField::flow_x)) solution.flow_x.clear();
-    if (unwanted(SolutionField::flow_y)) solution.flow_y.clear();
-    if (unwanted(SolutionField::yield_stress)) solution.yield_stress.clear();
-    if (unwanted(SolutionField::friction_coefficient)) solution.friction_coefficient.clear();
-    if (unwanted(SolutionField::upper_temperature)) solution.upper_temperature.clear();
-    if (unwanted(SolutionField::lower_temperature)) solution.lower_temperature.clear();
+    for (const SolutionField field : all_solution_fields) {
+        if (std::ranges::find(fields, field) != fields.end()) continue;
+        if (field == SolutionField::element_division)
+            solution.element_division.clear();
+        else
+            (solution.*solution_arrays[static_cast<std::size_t>(field)]).clear();
+    }
 }
 
 /// The current and the previous state of a contact or a wheel.

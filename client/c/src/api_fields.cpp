@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "api_boundary.hpp"
+#include "contactd/fields/contact.hpp"
 #include "contactd/fields/wheel_rail_setup.hpp"
 #include "contactd/read_profile.hpp"
 #include "field_array.hpp"
@@ -29,10 +30,12 @@ namespace {
 // --- arrays over the grid --------------------------------------------------------------------------------------------
 
 /// In the order of SolutionField, followed by the array of wheels only.
-constexpr std::array<std::string_view, 16> arrays{
-    "element_division",     "pressure",          "traction_x",        "traction_y", "slip_x", "slip_y",
-    "displacement_x",       "displacement_y",    "displacement_z",    "flow_x",     "flow_y", "yield_stress",
-    "friction_coefficient", "upper_temperature", "lower_temperature", "gap"};
+constexpr auto arrays = [] {
+    std::array<std::string_view, contactd::enum_words<SolutionField>.size() + 1> all{};
+    std::ranges::copy(contactd::enum_words<SolutionField>, all.begin());
+    all.back() = "gap";
+    return all;
+}();
 constexpr std::size_t gap = arrays.size() - 1;
 
 std::size_t array_named(std::string_view name) {

@@ -1,8 +1,7 @@
 // Encodes and decodes the arrays of a solution that a request selects.
-#include <algorithm>
-
 #include "codec_parts.hpp"
 #include "contactd/fields/contact.hpp"
+#include "contactd/fields/grid_arrays.hpp"
 #include "contactd/proto/codec.hpp"
 #include "contactd/proto/field_codec.hpp"
 #include "field_text.hpp"
@@ -13,16 +12,10 @@ namespace {
 
 using nlohmann::json;
 
-const Field& field_of(std::string_view array) {
-    return *std::ranges::find(type_of<ContactSolution>().fields, array, &Field::name);
-}
-
 /// Returns the numbers of an array that does not consist of bytes.
-std::vector<double>& numbers_of(std::string_view array, ContactSolution& solution) {
-    return *static_cast<std::vector<double>*>(field_of(array).make(&solution));
-}
-const std::vector<double>& numbers_of(std::string_view array, const ContactSolution& solution) {
-    return *static_cast<const std::vector<double>*>(field_of(array).find(&solution));
+template <class Solution>
+auto& numbers_of(SolutionField array, Solution& solution) {
+    return solution.*solution_arrays[static_cast<std::size_t>(array)];
 }
 
 std::vector<unsigned char> bytes_of(const std::vector<ElementState>& states) {
@@ -72,7 +65,7 @@ void encode_arrays(const ContactSolution& solution, const SolutionFields& fields
         if (field == SolutionField::element_division) {
             const std::vector<unsigned char> division = bytes_of(solution.element_division);
             result[name] = arrays.write(std::span<const unsigned char>(division), shape_of(grid));
-        } else if (const auto& values = numbers_of(name, solution); !values.empty()) {  // slip: friction only
+        } else if (const auto& values = numbers_of(field, solution); !values.empty()) {  // slip: friction only
             result[name] = arrays.write(std::span<const double>(values), shape_of(grid));
         }
     }
@@ -106,7 +99,7 @@ void read_arrays(const Source& result, const Frames& frames, std::vector<std::si
         if (field == SolutionField::element_division)
             solution.element_division = states_of(read_byte_array(array, frames, shape, name));
         else
-            numbers_of(name, solution) = read_array(array, frames, shape, name);
+            numbers_of(field, solution) = read_array(array, frames, shape, name);
     }
 }
 
