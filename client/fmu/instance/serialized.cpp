@@ -77,10 +77,6 @@ std::uint64_t digest_of(std::span<const std::byte> bytes) {
     return digest.value();
 }
 
-constexpr std::vector<double> Carried::* parts[] = {&Carried::solved,       &Carried::pressure,
-                                                    &Carried::traction_x,   &Carried::traction_y,
-                                                    &Carried::yield_stress, &Carried::friction_coefficient};
-
 }  // namespace
 
 std::vector<std::byte> serialized(const Kind& kind, const State& state) {
@@ -89,7 +85,8 @@ std::vector<std::byte> serialized(const Kind& kind, const State& state) {
     writer.put(static_cast<std::int32_t>(state.phase));
     writer.put(state.values.numbers);
     for (const std::string& text : state.values.texts) writer.put(text);
-    for (const auto part : parts) writer.put(state.carried.*part);
+    writer.put(state.carried.solved);
+    for (const std::vector<double>& array : state.carried.history) writer.put(array);
     writer.put(digest_of(writer.bytes));
     return std::move(writer.bytes);
 }
@@ -115,7 +112,8 @@ std::unique_ptr<State> deserialized(const Kind& kind, std::span<const std::byte>
     state->values.numbers = reader.numbers();
     if (state->values.numbers.size() != kind.variables.size()) throw damaged();
     for (std::string& text : state->values.texts) text = reader.text();
-    for (const auto part : parts) state->carried.*part = reader.numbers();
+    state->carried.solved = reader.numbers();
+    for (std::vector<double>& array : state->carried.history) array = reader.numbers();
     if (!reader.at_end()) throw damaged();
     return state;
 }

@@ -1,8 +1,9 @@
 #include "contact_model.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "friction_laws.hpp"
@@ -19,39 +20,31 @@ consteval std::size_t at(std::string_view name) {
 enum { steady, transient, shift };  // enumerations::motion
 enum { full };                      // enumerations::model
 
-/// Arrays that a step may pass on to the next.
-constexpr struct {
-    const char* name;
-    std::vector<double> Carried::* values;
-} arrays[] = {
-    {"pressure", &Carried::pressure},
-    {"traction_x", &Carried::traction_x},
-    {"traction_y", &Carried::traction_y},
-    {"yield_stress", &Carried::yield_stress},
-    {"friction_coefficient", &Carried::friction_coefficient},
-};
-constexpr std::size_t yield_stress = 3, friction_coefficient = 4;
-
 }  // namespace
 
 void ContactModel::start(const Values& values, const Carried& from) {
     if (!connection_) connection_ = opened(values, tell_);
     ContactHandle contact = made(values);
     contactd_contact* c = contact.get();
-    const bool goes_on = !from.pressure.empty();
+    const bool goes_on = !from.history.front().empty();
     has_history_ = values.whole(at("model")) == full;
     const bool rubs = has_history_ && !values.is(at("friction.none")) && values.whole(at("motion.kind")) != steady;
-    hardens_ = rubs && values[at("friction.layer.yield_stress")] != 0 && values[at("friction.layer.hardening")] != 0;
-    remembers_ = rubs && values.is(at("friction.kinetic.law")) && values[at("friction.kinetic.memory.distance")] != 0;
-    for (std::size_t i = 0; goes_on && i < std::size(arrays); ++i) {
-        const std::vector<double>& carried = from.*arrays[i].values;
-        const std::string path = std::string("previous.") + arrays[i].name;
-        if (carries(i))
+    const auto is_zero = [&](std::string_view name) {
+        return !name.empty() && !values.is(reference_in(contact_variables, name));
+    };
+    for (std::size_t i = 0; i < history_arrays.size(); ++i) {
+        const auto& needs = history_arrays[i].needs;
+        carries_[i] = needs[0].empty() || (rubs && std::ranges::none_of(needs, is_zero));
+    }
+    for (std::size_t i = 0; goes_on && i < history_arrays.size(); ++i) {
+        const std::vector<double>& carried = from.history[i];
+        const std::string path = std::string("previous.") + history_arrays[i].name;
+        if (carries_[i])
             check(contactd_set_array(c, path.c_str(), carried.data(), static_cast<std::int32_t>(carried.size())), c);
     }
     set_load(c, values, values.whole(at("motion.kind")), {});
-    for (std::size_t i = 0; i < std::size(arrays); ++i)
-        if (carries(i)) check(contactd_want(c, arrays[i].name, goes_on), c);
+    for (std::size_t i = 0; i < history_arrays.size(); ++i)
+        if (carries_[i]) check(contactd_want(c, history_arrays[i].name, goes_on), c);
     check(contactd_start(c), c);
     contact_ = std::move(contact);
     from_ = from;
@@ -174,21 +167,17 @@ std::vector<double> ContactModel::array(const char* which) {
     return values;
 }
 
-bool ContactModel::carries(std::size_t array) const {
-    return (array != yield_stress || hardens_) && (array != friction_coefficient || remembers_);
-}
-
 Carried ContactModel::carried() {
     if (!has_history_ || !made_) return from_;
     if (!requests_arrays_) {
-        for (std::size_t i = 0; i < std::size(arrays); ++i)
-            if (carries(i)) check(contactd_want(contact_.get(), arrays[i].name, 1), contact_.get());
+        for (std::size_t i = 0; i < history_arrays.size(); ++i)
+            if (carries_[i]) check(contactd_want(contact_.get(), history_arrays[i].name, 1), contact_.get());
         step_again("tractions");
         requests_arrays_ = true;
     }
     Carried carried;
-    for (std::size_t i = 0; i < std::size(arrays); ++i)
-        if (carries(i)) carried.*arrays[i].values = array(arrays[i].name);
+    for (std::size_t i = 0; i < history_arrays.size(); ++i)
+        if (carries_[i]) carried.history[i] = array(history_arrays[i].name);
     return carried;
 }
 

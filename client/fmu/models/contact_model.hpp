@@ -1,6 +1,7 @@
 // A plain contact, step by step.
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "handles.hpp"
@@ -28,8 +29,6 @@ class ContactModel final : public Model {
     static void read(contactd_contact* c, Values& values);
     ContactHandle made(const Values& values) const;
     std::vector<double> array(const char* which);
-    /// The arrays that a step passes on to the next.
-    bool carries(std::size_t array) const;
     /// Solves the last step again to obtain further results; `what` names them in error messages.
     void step_again(const char* what);
 
@@ -37,8 +36,8 @@ class ContactModel final : public Model {
     ConnectionHandle connection_;
     ContactHandle contact_;
     std::size_t elements_ = 0;
-    bool has_history_ = false;                  // simplified models have none
-    bool hardens_ = false, remembers_ = false;  // state of particles other than tractions, except in steady rolling
+    bool has_history_ = false;                           // simplified models have none
+    std::array<bool, history_arrays.size()> carries_{};  // steady rolling carries tractions only
     bool requests_arrays_ = false, requests_derivatives_ = false;
     bool by_force_ = true, shifts_ = false, force_is_prescribed_ = false;
     double step_size_ = 0;

@@ -1,6 +1,7 @@
 // The model of an instance: a plain contact, or a wheel on its rail. Both only use contactd.h.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "failure.hpp"
+#include "variables/generated/history.hpp"
 #include "variables/values.hpp"
 
 namespace contactd::fmu {
@@ -16,10 +18,11 @@ namespace contactd::fmu {
 /// Reports warnings of a step and the progress of builds, in the thread of the call.
 using Tell = std::function<void(Status status, const std::string& sentence)>;
 
-/// The result of a step other than the values: the numbers of its inputs, and for a contact the tractions of each
-/// element, in the order of contactd.h, and the other state of its particles. Empty before the first step.
+/// The result of a step other than the values: the numbers of its inputs, and for a contact the arrays that the next
+/// step continues from. Empty before the first step.
 struct Carried {
-    std::vector<double> solved{}, pressure{}, traction_x{}, traction_y{}, yield_stress{}, friction_coefficient{};
+    std::vector<double> solved{};
+    std::array<std::vector<double>, history_arrays.size()> history{};
 };
 
 /// Available derivatives of a model: rows are outputs, columns inputs, by their value references.
