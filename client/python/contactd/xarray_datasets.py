@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .errors import MissingExtra
+from .values.generated.array_labels import ARRAY_LABELS
 from .values.generated.grid import Grid
 from .values.generated.subsurface import SubsurfaceStress
 from .values.solution import ContactSolution
@@ -18,23 +19,6 @@ if TYPE_CHECKING:
 
 __all__ = ["solution_dataset", "stress_dataset", "table_array"]
 
-_ARRAYS = {
-    "element_division": ("0 exterior, 1 adhesion, 2 slip, 3 flow", "1"),
-    "pressure": ("pressure", "N/mm^2"),
-    "traction_x": ("traction along x on the upper body", "N/mm^2"),
-    "traction_y": ("traction along y on the upper body", "N/mm^2"),
-    "slip_x": ("slip of the upper body over the lower, along x", ""),
-    "slip_y": ("slip of the upper body over the lower, along y", ""),
-    "displacement_x": ("displacement of the upper body's surface less that of the lower one's, along x", "mm"),
-    "displacement_y": ("displacement of the upper body's surface less that of the lower one's, along y", "mm"),
-    "displacement_z": ("elastic displacement of both bodies along z", "mm"),
-    "flow_x": ("plastic flow of a layer, along x", ""),
-    "flow_y": ("plastic flow of a layer, along y", ""),
-    "yield_stress": ("yield stress of a layer", "N/mm^2"),
-    "friction_coefficient": ("coefficient of friction", "1"),
-    "upper_temperature": ("temperature of the upper surface", "degC"),
-    "lower_temperature": ("temperature of the lower surface", "degC"),
-}
 _NUMBERS = {"Fn": "N", "Fx": "N", "Fy": "N", "Mz": "N mm", "approach": "mm", "pmax": "N/mm^2"}
 
 
@@ -60,7 +44,7 @@ def solution_dataset(solution: ContactSolution) -> xarray.Dataset:
         raise ValueError("grid is None; only solutions of a client have coordinates")
     arrays: dict[str, Any] = {
         name: (("y", "x"), values, {"long_name": words, **({"units": unit} if unit else {})})
-        for name, (words, unit) in _ARRAYS.items()
+        for name, (words, unit) in ARRAY_LABELS.items()
         if (values := getattr(solution, name, None)) is not None
     }
     arrays |= {name: ((), getattr(solution, name), {"units": unit}) for name, unit in _NUMBERS.items()}

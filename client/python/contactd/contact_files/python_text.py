@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
@@ -11,6 +12,7 @@ import numpy as np
 from ..files.marks import written_by
 from ..files.text_lines import one_line
 from ..values.generated.contact_files import ConvertedCase
+from ..values.generated.problem import Estimate
 
 __all__ = ["python_text"]
 
@@ -22,7 +24,7 @@ import numpy as np
 
 import contactd
 
-STATE = ("pressure", "traction_x", "traction_y", "yield_stress", "friction_coefficient")
+STATE = ({state})
 
 with contactd.local() as client:
     last = {{}}'''
@@ -32,7 +34,8 @@ _LONGEST_LINE = 100
 
 def python_text(title: str, cases: Iterable[ConvertedCase]) -> str:
     """Returns a program with the parameters of each case; a case without parameters is a comment with the reason."""
-    lines = [_HEAD.format(title=ascii(title), mark=written_by().capitalize())]
+    state = ", ".join(f'"{one.name}"' for one in fields(Estimate))
+    lines = [_HEAD.format(title=ascii(title), mark=written_by().capitalize(), state=state)]
     for case in cases:
         lines += ["", *_case(case)]
     return "\n".join([*lines, ""])

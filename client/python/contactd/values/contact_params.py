@@ -21,7 +21,7 @@ from .generated.problem import ContactProblem, Estimate
 from .generated.subsurface import StressBlock
 from .params import fields_of, params_of
 from .profiles import profile_params
-from .solution import ContactSolution
+from .solution import OPTIONAL_ARRAYS, ContactSolution
 from .tables import TableIcs
 
 __all__ = [
@@ -40,7 +40,6 @@ __all__ = [
 
 #: Fields of a ContactProblem that depend on each other on the wire, and fields that may be solutions.
 _OF_BODIES = ("upper", "lower", "ics", "upper_ics", "lower_ics")
-_FRICTION_STATE = ("yield_stress", "friction_coefficient")
 _TRACTIONS = ("initial", "previous")
 
 
@@ -99,9 +98,9 @@ def traction_params(tractions: Estimate | ContactSolution, field: str) -> dict[s
     """Returns the existing arrays for `previous`, `initial` and contact.subsurface; a solution must have all
     tractions.
     """
-    names = [one.name for one in dataclass_fields(Estimate) if field == "previous" or one.name not in _FRICTION_STATE]
+    names = [one.name for one in dataclass_fields(Estimate) if field == "previous" or one.name not in OPTIONAL_ARRAYS]
     arrays = {name: getattr(tractions, name, None) for name in names}
-    missing = [name for name, array in arrays.items() if array is None and name not in _FRICTION_STATE]
+    missing = [name for name, array in arrays.items() if array is None and name not in OPTIONAL_ARRAYS]
     if missing and not isinstance(tractions, Estimate):
         raise TypeError(
             f"{field} has no {', '.join(missing)}: include them in `fields` when you request it, or use an Estimate, in " "which they are zero"

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from dataclasses import fields as dataclass_fields
 from typing import Any, TypeVar, get_args
 
 from .generated.result import Areas, Counts, Derivatives, DerivativesOfAnswer, Field, Forces, Resultant, Solution
@@ -14,6 +15,7 @@ from .representation import with_inherited_attributes
 
 __all__ = [
     "ALL_FIELDS",
+    "OPTIONAL_ARRAYS",
     "Areas",
     "ContactSolution",
     "Counts",
@@ -29,6 +31,9 @@ __all__ = [
 ]
 
 ALL_FIELDS: tuple[str, ...] = get_args(Field)
+#: Arrays that a solution may lack: slip requires friction, displacements and temperatures must be requested, and the state
+#: of friction requires a law with one.
+OPTIONAL_ARRAYS = frozenset(one.name for one in dataclass_fields(Solution) if one.name in ALL_FIELDS and one.default is None)
 S = TypeVar("S", bound="ContactSolution")
 
 
@@ -56,12 +61,9 @@ class ContactSolution(Solution):
     @classmethod
     def _of_parts(cls: type[S], **parts: Any) -> S:
         """Returns a saved solution. If arrays that every problem has are absent, so are others without a value."""
-        absent = [name for name in _OF_EVERY_PROBLEM if parts.get(name) is None]
+        absent = [name for name in ALL_FIELDS if name not in OPTIONAL_ARRAYS and parts.get(name) is None]
         made = cls(**{**parts, **dict.fromkeys(absent)})
         return without_other_arrays(made, ()) if absent else made
-
-
-_OF_EVERY_PROBLEM = [name for name in ALL_FIELDS if not hasattr(ContactSolution, name)]
 
 
 class _AbsentArray:

@@ -10,17 +10,11 @@ from ..errors import ProtocolError
 from .answers import read
 from .generated.grid import Grid
 from .representation import with_inherited_attributes
-from .solution import ALL_FIELDS, ContactSolution, without_other_arrays
+from .solution import ALL_FIELDS, OPTIONAL_ARRAYS, ContactSolution, without_other_arrays
 
 __all__ = ["SavedState", "StepSolution", "checked", "read_solution"]
 
 S = TypeVar("S", bound=ContactSolution)
-#: Optional arrays: slip requires friction, displacements and temperatures must be requested, and the state of friction
-#: requires a law with one.
-_MAY_LACK = (
-    "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress",
-    "friction_coefficient", "upper_temperature", "lower_temperature",
-)  # fmt: skip
 
 
 def checked(solution: S, names: Collection[str], grid: Grid) -> S:
@@ -29,7 +23,7 @@ def checked(solution: S, names: Collection[str], grid: Grid) -> S:
     """
     for name in names:
         array = getattr(solution, name, None)
-        if array is None and name in _MAY_LACK:
+        if array is None and name in OPTIONAL_ARRAYS:
             continue
         if array is None:
             raise ProtocolError(f"The answer lacks the requested {name}.")
