@@ -25,6 +25,7 @@ with a name have a special form in messages, and so do objects none of whose fie
                            both as code in C++
                minimum, exclusiveMinimum  0, its bound
                fmu       up to two variables of FMUs, named by their paths, that are 0 where the law does not keep it
+`x-only-with` JSON pointers to fields of the request: an answer has the array only if one of them is given and not false
 `x-label`     the name and the unit of an array in data sets
 `x-python`    a field in Python, if it is not a plain field:
                type      its type;  default: its default, both as code

@@ -53,7 +53,7 @@ TEST_CASE("Notes of a schema's file are used, not shown", "[openrpc]") {
     CHECK(openrpc()["methods"][0]["name"] == "server.info");
     const std::string document = openrpc().dump();
     for (const char* note : {"x-order", "x-summary", "x-errors", "x-arrays-of", "x-cpp", "x-derived", "x-fmu",
-                             "x-history", "x-label", "x-largest", "x-parity", "x-partial", "x-python"}) {
+                             "x-history", "x-label", "x-largest", "x-only-with", "x-parity", "x-partial", "x-python"}) {
         CAPTURE(note);
         CHECK(document.find(note) == std::string::npos);
     }

@@ -31,9 +31,10 @@ std::string path_of(const Reference& reference) {
 }
 
 /// These annotations control generated code and are irrelevant to readers of messages.
-constexpr std::array notes_of_sources{
-    "x-arrays-of", "x-cpp", "x-cpp-at",  "x-cpp-items", "x-cpp-list", "x-cpp-none", "x-cpp-only", "x-cpp-owner",
-    "x-derived",   "x-fmu", "x-history", "x-label",     "x-parity",   "x-partial",  "x-python",   "x-python-class"};
+constexpr std::array notes_of_sources{"x-arrays-of", "x-cpp",         "x-cpp-at",    "x-cpp-items", "x-cpp-list",
+                                      "x-cpp-none",  "x-cpp-only",    "x-cpp-owner", "x-derived",   "x-fmu",
+                                      "x-history",   "x-label",       "x-only-with", "x-parity",    "x-partial",
+                                      "x-python",    "x-python-class"};
 
 }  // namespace
 

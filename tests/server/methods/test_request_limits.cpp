@@ -63,3 +63,19 @@ TEST_CASE("Solutions that could not be sent as frames are refused before they ar
     division["fields"] = {"element_division"};
     CHECK(refusal({&forces, &division}, frame) == "taken");
 }
+
+TEST_CASE("An answer has the arrays that the fields of its request allow") {
+    json params = grid(1, 1);
+    const auto arrays = [&] { return array_answer(params).fields.size(); };
+    CHECK(arrays() == 4);
+    params["friction"]["layer"] = json::object();
+    CHECK(arrays() == 9);
+    params["friction"]["kinetic"] = json::object();
+    CHECK(arrays() == 10);
+    params["displacements"] = false;
+    CHECK(arrays() == 10);
+    params["displacements"] = true;
+    CHECK(arrays() == 13);
+    params["temperature"] = json::object();
+    CHECK(arrays() == 15);
+}

@@ -4,7 +4,9 @@
 #include <string>
 
 #include "config/config.hpp"
+#include "contactd/fields/contact.hpp"
 #include "contactd/proto/codec.hpp"
+#include "contactd/proto/schema.hpp"
 
 namespace contactd::server {
 
@@ -27,6 +29,28 @@ long long elements_of(const json& params, std::size_t most, const std::string& f
         elements *= count;  // each at most 4e6
     }
     return elements;
+}
+
+using Pointers = std::vector<json::json_pointer>;
+
+/// Returns, for each array, the fields of the request of which it requires one.
+std::vector<Pointers> requirements_of_arrays() {
+    const json& answer = proto::schema("contact.solve.result").at("properties");
+    std::vector<Pointers> all;
+    for (const SolutionField field : all_solution_fields) {
+        Pointers& pointers = all.emplace_back();
+        for (const json& text : answer.at(std::string(name_of(field))).value("x-only-with", json::array()))
+            pointers.emplace_back(text.get<std::string>());
+    }
+    return all;
+}
+
+bool may_have(const json& params, SolutionField field) {
+    static const std::vector<Pointers> requirements = requirements_of_arrays();
+    const Pointers& one_of = requirements[static_cast<std::size_t>(field)];
+    return one_of.empty() || std::ranges::any_of(one_of, [&](const json::json_pointer& pointer) {
+               return params.contains(pointer) && params.at(pointer) != json(false);
+           });
 }
 
 /// Returns the number of elements of params that have passed check_grid_limit.
@@ -58,20 +82,7 @@ void check_grid_limits(const json& problems, std::size_t most) {
 
 ArrayAnswer array_answer(const json& params) {
     SolutionFields fields = proto::decode_fields(params, all_solution_fields);
-    if (!params.contains("friction"))
-        std::erase_if(fields, [](SolutionField f) { return f == SolutionField::slip_x || f == SolutionField::slip_y; });
-    if (!params.value("displacements", false))
-        std::erase_if(fields, [](SolutionField f) {
-            return f >= SolutionField::displacement_x && f <= SolutionField::displacement_z;
-        });
-    const json friction = params.value("friction", json::object());
-    if (!friction.contains("layer"))
-        std::erase_if(fields,
-                      [](SolutionField f) { return f >= SolutionField::flow_x && f <= SolutionField::yield_stress; });
-    if (!friction.contains("kinetic") && !friction.contains("temperature"))
-        std::erase_if(fields, [](SolutionField f) { return f == SolutionField::friction_coefficient; });
-    if (!params.contains("temperature"))
-        std::erase_if(fields, [](SolutionField f) { return f >= SolutionField::upper_temperature; });
+    std::erase_if(fields, [&](SolutionField field) { return !may_have(params, field); });
     return {std::move(fields), elements_in(params)};
 }
 
