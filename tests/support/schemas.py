@@ -32,8 +32,9 @@ def method_names() -> list[str]:
     return sorted(path.name.removesuffix(".params.json") for path in FOLDER.glob("*.params.json"))
 
 
-def parameters(method: str) -> list[str]:
-    return sorted(_registry()[f"{method}.params.json"].contents["properties"])
+def example(method: str) -> Any:
+    """Returns the last request that the schema of the method shows."""
+    return _registry()[f"{method}.params.json"].contents["examples"][-1]
 
 
 def check(name: str, message: Any) -> None:
