@@ -8,15 +8,13 @@ C interface, variables of FMUs and values of Python.
 
 from __future__ import annotations
 
-import json
-import os
 import re
-import shutil
 import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+
+from support.edited_tree import EditedTree
 
 ROOT = Path(__file__).parents[2]
 COPIED = ["core/include", "core/types", "proto/schema", "proto/generate", "proto/include", "proto/src/codec", "proto/src/wire", "client/fmu/variables"]
@@ -88,75 +86,52 @@ SUFFIXES = {".cpp", ".hpp", ".h", ".c", ".py", ".f90"}
 SOURCES = ["core", "engine", "proto/src", "server", "client/c", "client/cpp", "client/fmu", "client/python/contactd"]
 
 
-def replace(path: Path, old: str, new: str) -> None:
-    text = path.read_text()
-    assert text.count(old) == 1, f"{path}: {old!r}"
-    path.write_text(text.replace(old, new))
-
-
-def add_fields(tree: Path) -> None:
+def add_fields(tree: EditedTree) -> None:
     """What somebody would write by hand, two files for each field."""
-    headers = tree / "core" / "include" / "contactd"
-    replace(
-        headers / "wheel_rail_setup.hpp",
-        "struct Track {\n",
-        "enum class ProbeKind { first, second };\n\nstruct Track {\n    double probe = 1;\n    ProbeKind probe_kind = ProbeKind::first;\n",
+    headers = "core/include/contactd"
+    tree.replace(
+        f"{headers}/wheel_rail_setup.hpp",
+        (
+            "struct Track {\n",
+            "enum class ProbeKind { first, second };\n\nstruct Track {\n    double probe = 1;\n    ProbeKind probe_kind = ProbeKind::first;\n",
+        ),
     )
-    replace(headers / "wheel_rail_solution.hpp", "struct RailDeflection {\n    double y = 0, z = 0;\n", "struct RailDeflection {\n    double y = 0, z = 0, probe = 0;\n")
-    path = tree / "proto" / "schema" / "definitions.json"
-    definitions = json.loads(path.read_text())
-    track = definitions["definitions"]["wheel_rail_setup"]["properties"]["track"]
+    deflection = "struct RailDeflection {\n    double y = 0, z = 0"
+    tree.replace(f"{headers}/wheel_rail_solution.hpp", (f"{deflection};\n", f"{deflection}, probe = 0;\n"))
+    laws = "enum class SlipLaw { linear, exponential, rational"
+    tree.replace(f"{headers}/friction.hpp", (f"{laws} }};", f"{laws}, probe }};"))
     number = {"description": "A number.", "x-unit": "mm", "x-fmu": "parameter", "type": "number", "minimum": 0, "maximum": 5, "default": 1}
-    track["properties"] = {
-        "probe": number,
-        "probe_kind": {"description": "A word.", "x-cpp": "ProbeKind", "enum": ["first", "second"], "default": "first"},
-        **track["properties"],
-    }
-    path.write_text(json.dumps(definitions))
-    path = tree / "proto" / "schema" / "wheelrail.solve.result.json"
-    result = json.loads(path.read_text())
-    signed = {"description": "A signed number.", "x-unit": "mm", "x-parity": "odd", "x-fmu": "output", "type": "number"}
-    result["properties"]["rail_deflection"]["properties"]["probe"] = signed
-    path.write_text(json.dumps(result))
-    replace(headers / "friction.hpp", "enum class SlipLaw { linear, exponential, rational };", "enum class SlipLaw { linear, exponential, rational, probe };")
-    add_to_contacts(tree / "proto" / "schema", {key: value for key, value in number.items() if key != "x-fmu"})
-
-
-def add_to_contacts(schemas: Path, number: dict[str, object]) -> None:
-    """Fields of a problem, of friction and of coefficients, and a slip law: for Python, whose structs are their schemas."""
-    number = {**number, "x-derived": True}
-    path = schemas / "contact.solve.params.json"
-    solve = json.loads(path.read_text())
-    friction = solve["properties"]["friction"]["properties"]
-    for properties in (solve["properties"], friction):
-        properties["probe"] = number
-    friction["kinetic"]["properties"]["law"]["enum"].append("probe")
-    path.write_text(json.dumps(solve))
-    path = schemas / "definitions.json"
-    definitions = json.loads(path.read_text())
-    definitions["definitions"]["ics"]["properties"]["probe"] = number
-    path.write_text(json.dumps(definitions))
-
-
-def run(command: list[str], folder: Path, environment: dict[str, str]) -> None:
-    made = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True)
-    assert made.returncode == 0, made.stderr[-3000:]
+    # Fields of contacts are for Python only, whose structs are their schemas.
+    of_contacts = {**{key: value for key, value in number.items() if key != "x-fmu"}, "x-derived": True}
+    with tree.schema("definitions") as definitions:
+        track = definitions["definitions"]["wheel_rail_setup"]["properties"]["track"]
+        track["properties"] = {
+            "probe": number,
+            "probe_kind": {"description": "A word.", "x-cpp": "ProbeKind", "enum": ["first", "second"], "default": "first"},
+            **track["properties"],
+        }
+        definitions["definitions"]["ics"]["properties"]["probe"] = of_contacts
+    with tree.schema("wheelrail.solve.result") as result:
+        signed = {"description": "A signed number.", "x-unit": "mm", "x-parity": "odd", "x-fmu": "output", "type": "number"}
+        result["properties"]["rail_deflection"]["properties"]["probe"] = signed
+    with tree.schema("contact.solve.params") as solve:
+        friction = solve["properties"]["friction"]["properties"]
+        for properties in (solve["properties"], friction):
+            properties["probe"] = of_contacts
+        friction["kinetic"]["properties"]["law"]["enum"].append("probe")
 
 
 @pytest.fixture
-def tree(tmp_path: Path) -> Path:
+def tree(tmp_path: Path) -> EditedTree:
     """One with the fields, and what is generated from them."""
-    for folder in COPIED:
-        shutil.copytree(ROOT / folder, tmp_path / folder)
-    shutil.copy(ROOT / ".clang-format", tmp_path)
-    add_fields(tmp_path)
-    subprocess.run([sys.executable, "-B", "-m", "generate"], cwd=tmp_path / "proto", check=True)
-    return tmp_path
+    edited = EditedTree(tmp_path, COPIED)
+    add_fields(edited)
+    edited.generate()
+    return edited
 
 
-def test_python_has_a_new_field(tree: Path) -> None:
-    ran = subprocess.run([sys.executable, "-B", "-c", PYTHON], cwd=tree / "client" / "python", capture_output=True, text=True)
-    assert ran.returncode == 0, ran.stderr
+def test_python_has_a_new_field(tree: EditedTree) -> None:
+    tree.python(PYTHON)
 
 
 def files_with(pattern: str) -> set[Path]:
@@ -182,31 +157,20 @@ def test_a_method_is_named_in_few_files(method: str) -> None:
 
 @pytest.mark.slow  # compiles a dozen files
 @pytest.mark.timeout(300)
-def test_a_new_field_follows_from_its_struct_and_its_schema(tree: Path) -> None:
-    variables = (tree / "client" / "fmu" / "variables" / "generated" / "wheel_fields.hpp").read_text()
+def test_a_new_field_follows_from_its_struct_and_its_schema(tree: EditedTree) -> None:
+    variables = (tree.root / "client" / "fmu" / "variables" / "generated" / "wheel_fields.hpp").read_text()
     assert '.path = "setup.track.probe"' in variables
     assert '.path = "rail_deflection.probe"' in variables
-    (tree / "probe.cpp").write_text(PROGRAM)
+    (tree.root / "probe.cpp").write_text(PROGRAM)
     sources = ["probe.cpp", "proto/src/codec/field_codec.cpp", "proto/src/wire/answer_text.cpp", "core/types/field_path.cpp", "core/types/fields.cpp"]
-    sources += [str(path.relative_to(tree)) for path in (tree / "core" / "types" / "generated").glob("*.cpp")]
-    include = [f"-I{folder}" for folder in ("core/include", "core/types/generated/include", "core/types", "proto/include", "proto/src")]
-    # One by one, so that ccache has them from the last time.
-    compiler = ["ccache", "c++"] if shutil.which("ccache") else ["c++"]
-    environment = {**os.environ, "CCACHE_BASEDIR": str(tree), "CCACHE_NOHASHDIR": "1"}
-    for source in sources:
-        run([*compiler, "-std=c++20", "-O0", "-Wall", "-Wextra", *include, "-c", source], tree, environment)
-    run(["c++", *(f"{Path(source).stem}.o" for source in sources), "-o", "probe"], tree, environment)
-    told = subprocess.run([tree / "probe"], capture_output=True, text=True, check=True).stdout.splitlines()
+    sources += [str(path.relative_to(tree.root)) for path in (tree.root / "core" / "types" / "generated").glob("*.cpp")]
+    told = tree.run(*sources)
     assert told == ['3 1 "second"', "track.probe is 6; it must be zero or positive and at most 5 mm", "-1 2 -3"]
 
 
 def test_a_member_that_no_schema_declares_is_found(tmp_path: Path) -> None:
-    shutil.copytree(ROOT / "core" / "include", tmp_path / "core" / "include")
-    replace(
-        tmp_path / "core" / "include" / "contactd" / "wheel_rail_state.hpp",
-        "struct RailDeviation {\n",
-        "struct RailDeviation {\n    double forgotten = 0;\n",
-    )
+    begin = "struct RailDeviation {\n"
+    EditedTree(tmp_path, ["core/include"]).replace("core/include/contactd/wheel_rail_state.hpp", (begin, f"{begin}    double forgotten = 0;\n"))
     generated = ROOT / "core" / "types" / "generated"
     include = [f"-I{tmp_path}/core/include", f"-I{generated}/include"]
     made = subprocess.run(
