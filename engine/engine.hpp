@@ -1,6 +1,6 @@
-// The daemon's work without its messages, as a library: tables, operators that are kept between solves, solves, and the
-// steps of a simulation. It has no sockets and no messages. It starts threads and opens a folder of tables only when a
-// table without a closed form is needed.
+// Provides the work of the daemon without its messages, as a library: tables, operators kept between solves, solves,
+// and steps of a simulation. It has no sockets and no messages. It starts threads and opens a folder of tables only
+// when a table without a closed form is needed.
 #pragma once
 
 #include <filesystem>
@@ -25,12 +25,12 @@
 namespace contactd::engine {
 
 struct EngineSettings {
-    std::filesystem::path store_folder;                         ///< of the tables that finite elements made
-    std::size_t influence_budget_bytes = std::size_t{1} << 28;  ///< of operators that are kept between solves
-    std::size_t most_patch_elements = 200'000;                  ///< of a patch between wheel and rail
+    std::filesystem::path store_folder;                         ///< contains the tables by finite elements
+    std::size_t influence_budget_bytes = std::size_t{1} << 28;  ///< limits the operators kept between solves
+    std::size_t most_patch_elements = 200'000;                  ///< limits a patch between wheel and rail
     IcService::Settings tables{};
-    bool keeps_building = false;                          ///< an abandoned build goes on for the store
-    std::size_t most_patch_bytes = std::size_t{1} << 32;  ///< of a patch's coefficients, where its rows differ
+    bool keeps_building = false;                          ///< an abandoned build continues for the store
+    std::size_t most_patch_bytes = std::size_t{1} << 32;  ///< limits the coefficients of a patch with different rows
 };
 
 /// Can be used from several threads at once. Calls block the calling thread and end when their observer cancels them.
@@ -102,7 +102,7 @@ class Engine {
     JobTable jobs_;
     InfluenceCache influences_;
     RotatedPatches rotated_patches_;
-    IcCache closed_forms_;  // of those who wait, and of wheels on rails
+    IcCache closed_forms_;  // Holds tables for waiting callers and for wheels on rails.
     PreparedContacts wheels_on_rails_;
     std::mutex mutex_;  // guards what follows
     std::unique_ptr<IcService> tables_;

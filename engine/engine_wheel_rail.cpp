@@ -1,4 +1,4 @@
-// The engine's wheels on rails.
+// Solves wheels on rails with the engine.
 #include <string>
 
 #include "contactd/below.hpp"
@@ -96,8 +96,8 @@ auto below_setup(const std::string& setup, const Solve& solve) {
                     solve);
 }
 
-/// The result of `solve` for a wheelset, which refuses fields of one wheel's set-up as those of the set-up of both,
-/// unless the left wheel has its own.
+/// Returns the result of `solve` for a wheelset. It refuses fields of one wheel's set-up as those of the set-up of
+/// both, unless the left wheel has its own.
 template <class Solve>
 auto below_setups(bool left_has_own, const Solve& solve) {
     return renaming(
@@ -208,7 +208,7 @@ PreparedContacts::Contact Engine::wheel_on_rail(const WheelRailSetup& setup, con
 void Engine::count(const WheelRailSolution& solution) {
     for (const WheelRailPatch& patch : solution.patches) {
         check_patch(patch.place.grid,
-                    settings_.most_patch_elements);  // of simplified models, which ask for no operators
+                    settings_.most_patch_elements);  // Simplified models request no operators.
         count(patch.solution);
     }
 }

@@ -1,4 +1,4 @@
-// An engine for programs that link it, configured by environment variables.
+// Creates an engine for programs that link it, configured by environment variables.
 #pragma once
 
 #include <filesystem>

@@ -12,7 +12,7 @@
 #include "contactd/fem/ic_builder.hpp"
 #include "contactd/version.hpp"
 
-// Present when OpenBLAS or an OpenMP runtime is behind MFEM and hypre.
+// Exists if MFEM and hypre use OpenBLAS or an OpenMP runtime.
 extern "C" {
 [[gnu::weak]] void openblas_set_num_threads(int);
 [[gnu::weak]] void omp_set_num_threads(int);
@@ -21,7 +21,7 @@ extern "C" {
 namespace contactd::fem {
 namespace {
 
-/// A 0.6 s factorisation has taken 151 s with one BLAS thread per core on a busy machine.
+/// With one BLAS thread per core on a busy machine, a factorisation of 0.6 s took 151 s.
 void use_one_thread() {
     if (std::getenv("OMP_NUM_THREADS") != nullptr) return;
     if (omp_set_num_threads != nullptr) omp_set_num_threads(1);
@@ -29,15 +29,15 @@ void use_one_thread() {
         openblas_set_num_threads(1);
 }
 
-/// True when a launcher (mpirun, srun) has started this process; its environment says so before MPI does.
+/// Returns whether a launcher (mpirun, srun) has started this process, from its environment, before MPI is initialised.
 bool has_launcher() {
     constexpr std::array marks{"PMIX_NAMESPACE", "PMIX_RANK", "PMI_RANK", "PMI_FD", "OMPI_COMM_WORLD_RANK"};
     return std::any_of(marks.begin(), marks.end(), [](const char* mark) { return std::getenv(mark) != nullptr; });
 }
 
-/// MPI_Init without a launcher. Open MPI then leaves a folder in the temporary folder and, for processes it never talks
-/// to, a segment of shared memory behind, whether the program ends well or not. So: no shared memory, and a temporary
-/// folder that is gone when this returns; Open MPI needs nothing in it later.
+/// Calls MPI_Init without a launcher. Open MPI would leave a folder in the temporary folder and, for processes it never
+/// communicates with, a segment of shared memory, even after a normal end. Therefore it gets no shared memory, and a
+/// temporary folder that is removed before this returns, because Open MPI does not need it later.
 void init_alone(int& argc, char**& argv) {
     ::setenv("OMPI_MCA_btl", "self", 0);
     std::string folder = (std::filesystem::temp_directory_path() / "contactd-mpi-XXXXXX").string();
@@ -67,7 +67,7 @@ Runtime::Runtime(int& argc, char**& argv) {
     MPI_Comm_size(MPI_COMM_WORLD, &processes_);
     use_one_thread();
     mfem::Hypre::Init();
-    mfem::out.Disable();  // what MFEM has to say comes as exceptions; standard output is the program's
+    mfem::out.Disable();  // MFEM reports errors by exceptions; standard output belongs to the program.
 }
 
 Runtime::~Runtime() {

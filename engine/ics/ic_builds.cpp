@@ -80,7 +80,7 @@ void IcBuilds::queue(QueueTicket ticket, TableBuild build) {
 
 void IcBuilds::run(const TableBuild& build) {
     Job& job = *build.job;
-    if (job.cancelled()) return;  // while it was queued; its callers know
+    if (job.cancelled()) return;  // It was cancelled in the queue; its callers have been answered.
     try {
         // End the job before the end is reported, so that later requests already count this build.
         std::optional<BuildClock> clock(std::in_place, counters_, resilient_store_.store().folder());
@@ -105,7 +105,7 @@ void IcBuilds::run(const TableBuild& build) {
         ++counters_.builds_cancelled;
         log_.info(std::format("{} cancelled", job.name));
         build.cancelled();
-    } catch (const InvalidArgument& error) {  // known before anything was built, and as quickly the next time
+    } catch (const InvalidArgument& error) {  // Is found before the build and as quickly the next time.
         fail(build, status_of(error));
     } catch (const BuilderUnusable& error) {
         fail(build, failure(StatusCode::internal, proto::reason::build_failed, error.what()));
@@ -113,7 +113,7 @@ void IcBuilds::run(const TableBuild& build) {
         Status status = failure(StatusCode::resource_exhausted, proto::reason::build_out_of_memory, error.what());
         if (error.field().empty())
             quarantine_.note_failure(build.key, build.spec, status);
-        else  // known before anything was built, and as quickly the next time
+        else  // Is found before the build and as quickly the next time.
             status.violations.push_back({error.field(), error.what()});
         fail(build, status);
     } catch (const std::exception& error) {
@@ -156,7 +156,7 @@ ResilientStore::Record IcBuilds::run_builder(const TableBuild& build, const Tabl
         next_sign += lock_sign_interval;
         lock.give_sign();
     };
-    resilient_store_.store().problem();  // makes a folder that was removed
+    resilient_store_.store().problem();  // Creates a folder that was removed.
     const BuiltTable built =
         engine::run_builder(settings_.command, build.spec, output, *build.job, build.report, give_sign);
     if (!built.bytes.empty()) return resilient_store_.keep_unsaved(from_ic_file(built.bytes, output), built.problem);

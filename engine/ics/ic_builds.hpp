@@ -1,4 +1,5 @@
-// Tables to be built: their turn among the builds of this process and of others, the builder, and its result.
+// Builds tables: waits for their turn among the builds of this process and others, runs the builder, and reports the
+// result.
 #pragma once
 
 #include <functional>
@@ -17,8 +18,8 @@
 
 namespace contactd::engine {
 
-/// A requested table and its callbacks. Exactly one of `done`, `failed` and `cancelled` is called, unless the job is
-/// cancelled before the build begins. All are called from the threads of IcBuilds.
+/// Holds a requested table and its callbacks. Exactly one of `done`, `failed` and `cancelled` is called, unless the job
+/// is cancelled before the build begins. All are called from the threads of IcBuilds.
 struct TableBuild {
     IcSpec spec;  ///< dimensionless
     std::string key;
@@ -27,7 +28,7 @@ struct TableBuild {
     std::function<void(ResilientStore::Record, const char* origin)> done;  ///< "built", or "disk" where others built it
     std::function<void(const proto::Status&)> failed;
     std::function<void()> cancelled;
-    std::function<std::vector<std::string>()> keys_in_use;  ///< whose tables are not evicted for this one
+    std::function<std::vector<std::string>()> keys_in_use;  ///< keys of tables that are not evicted for this one
 };
 
 /// Thread-safe. Repeatable failures are put into quarantine.
@@ -60,10 +61,10 @@ class IcBuilds {
     EngineCounters& counters_;
     const EngineLog& log_;
     BuildQuarantine quarantine_;
-    WorkerPool builders_;  // last: its threads use everything above
+    WorkerPool builders_;  // is destroyed first, because its threads use everything above
 };
 
-/// Returns a status of a request for a table.
+/// Returns the status of a request for a table.
 inline proto::Status failure(proto::StatusCode code, std::string_view reason, std::string message) {
     return {code, std::move(message), std::string(reason), {}, 0};
 }

@@ -1,4 +1,4 @@
-// Tables that users have imported.
+// Stores tables that users have imported.
 #pragma once
 
 #include <string>

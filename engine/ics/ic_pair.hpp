@@ -1,4 +1,4 @@
-// The tables of two bodies, requested one after the other.
+// Requests the tables of two bodies, one after the other.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ using IcAnswers = std::array<IcAnswer, 2>;  ///< upper body, lower body
 /// and families do not depend on the material.
 bool serves_both(const IcAnswer& upper, const std::array<std::optional<IcSpec>, 2>& specs);
 
-/// Callbacks of a request for a pair, called from any thread. `done` or `failed` is called exactly once; exceptions of
-/// `done` go to `failed`.
+/// Holds callbacks of a request for a pair, called from any thread. `done` or `failed` is called exactly once;
+/// exceptions of `done` go to `failed`.
 struct IcPairCaller {
     std::function<void(const IcAnswers&)> done;
     std::function<void(const Status&)> failed;

@@ -35,13 +35,13 @@ class WhileRequested final : public Observer {
 
 }  // namespace
 
-/// A table being fetched and the callers waiting for it.
+/// Holds a table being fetched and the callers waiting for it.
 struct IcService::RequestInFlight {
     IcSpec spec;  // dimensionless
     std::string key;
-    std::shared_ptr<Job> job;  // null until it is known that a build is needed
+    std::shared_ptr<Job> job;  // is null until a build is needed
     std::vector<IcCaller> callers;
-    std::string description{};  // of what the first caller asked for, with its lengths
+    std::string description{};  // describes the first caller's request, with its lengths
 
     bool serves(const std::string& request, const IcSpec& other) const {
         return key == request && spec.nx >= other.nx && spec.ny >= other.ny && !(job && job->cancelled());
@@ -84,7 +84,7 @@ void IcService::request(const IcSpec& spec, IcCaller caller) {
         return answer(caller, key, std::move(record), "closed_form");
     }
     if (answer_imported(spec, key, caller)) return;
-    (void)strip_frames(spec);  // tells of a bad section in the lengths of the request; what is built has strips of 1
+    (void)strip_frames(spec);  // Reports a bad section in the request's lengths; the build uses strips of 1.
     bool opened = false;
     const RequestPtr request = join_or_open(spec, key, caller, opened);
     if (opened) look_up(request);
@@ -213,7 +213,7 @@ Status IcService::cancelled_status() {
 }
 
 void IcService::cancel_queued(const RequestPtr& request) {
-    if (request->job->running()) return;  // the builder's thread notices by itself
+    if (request->job->running()) return;  // The builder's thread detects the cancellation itself.
     ++counters_.builds_cancelled;
     fail(request, cancelled_status());
 }
@@ -226,7 +226,7 @@ std::vector<IcCaller> IcService::close(const RequestPtr& request) {
 }
 
 void IcService::complete(const RequestPtr& request, IcCache::Record record, const char* origin) {
-    cache_.insert(request->key, record);  // first, so that who comes now finds it there
+    cache_.insert(request->key, record);  // Must come first, so that new callers find it there.
     for (const IcCaller& caller : close(request)) answer(caller, request->key, record, origin);
 }
 
@@ -291,7 +291,7 @@ void IcService::keep_imported(IcRecord record, const std::string& user) {
     const TableOwner owner = owner_of(user);
     const std::string key = ic_key(record.spec);
     const IcAnswer answer{std::make_shared<const IcRecord>(std::move(record)), key, "file", owner};
-    if (owner.empty()) builds_.quarantine().forget(key);  // builds that failed do not matter any more
+    if (owner.empty()) builds_.quarantine().forget(key);  // Earlier failed builds are no longer relevant.
     const auto [nx, ny] = extent_of(answer.record->tables);
     write_ic_file(store().path_to_write(key, nx, ny, owner), *answer.record);
     resilient_store_.note_stored(answer.record->spec, keys_in_flight(), owner);
@@ -307,7 +307,7 @@ void IcService::stop(const Status& status) {
         in_flight = in_flight_;
     }
     for (const RequestPtr& request : in_flight)
-        if (request->job) request->job->cancel();  // answers those who wait for a queued build, so not under the lock
+        if (request->job) request->job->cancel();  // Answers callers of a queued build; called without the lock.
     builds_.stop();
     for (const RequestPtr& request : in_flight) fail(request, status);
 }

@@ -1,4 +1,5 @@
-// Influence coefficients on request: memory cache, then store, then closed form or a build shared by all requests.
+// Provides influence coefficients on request: from the memory cache, the store, a closed form, or a build shared by all
+// requests.
 #pragma once
 
 #include <functional>
@@ -14,23 +15,23 @@
 
 namespace contactd::engine {
 
-/// A dimensionless record that covers the request, and its origin.
+/// Holds a dimensionless record that covers the request, and its origin.
 struct IcAnswer {
     std::shared_ptr<const IcRecord> record;
     std::string key;
     std::string origin;  ///< "closed_form", "memory", "disk" or "built"
-    TableOwner owner{};  ///< who has brought the table, if it serves its owner only
+    TableOwner owner{};  ///< the user who imported the table, if it serves only this user
 
     /// Returns the key of the table in caches.
     std::string cache_key() const { return owner.empty() ? key : key + " of " + owner; }
 };
 
-/// Callbacks of a request, called from any thread. `done` or `failed` is called exactly once.
+/// Holds callbacks of a request, called from any thread. `done` or `failed` is called exactly once.
 struct IcCaller {
     std::function<void(const IcAnswer&)> done;
     std::function<void(const proto::Status&)> failed;
     std::function<void(const Job&, const JobProgress&)> progress;
-    QueueTicket ticket{};  ///< of a build that the caller is the first to want; says whether the caller still waits
+    QueueTicket ticket{};  ///< for a build that this caller requests first; reports whether the caller still waits
 
     bool has_gone() const { return ticket.abandoned && ticket.abandoned(); }
 };
@@ -40,10 +41,10 @@ class IcService {
     struct Settings {
         BuilderCommand command;
         int concurrent_builds = 1;
-        std::size_t memory_budget_bytes = 0;  ///< of tables in memory, and of those that wait for the disk
+        std::size_t memory_budget_bytes = 0;  ///< for tables in memory, and for those that wait for the disk
         std::uintmax_t disk_budget_bytes = 0;
         BuildQuarantine::Settings quarantine = {};
-        bool shares_imported_tables = false;  ///< serves everybody what somebody has imported
+        bool shares_imported_tables = false;  ///< true if imported tables serve all users
         LogSink log = {};
         /// Returns whether a user may build tables; empty: all may. Existing tables serve all users.
         std::function<bool(const std::string& user)> may_build = {};
@@ -116,7 +117,7 @@ class IcService {
     std::vector<RequestPtr> in_flight_;  // looking up, queued or building
     bool stopping_ = false;
     proto::Status stop_status_;
-    IcBuilds builds_;  // last: its threads use everything above
+    IcBuilds builds_;  // is destroyed first, because its threads use everything above
 };
 
 }  // namespace contactd::engine

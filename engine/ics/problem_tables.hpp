@@ -1,4 +1,4 @@
-// From a contact to the tables of its bodies, and from these to the operators that solve it.
+// Leads from a contact to the tables of its bodies, and from these to the operators that solve it.
 #pragma once
 
 #include <array>

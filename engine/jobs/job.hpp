@@ -1,4 +1,4 @@
-// Long-running work that job.list shows and job.cancel ends: builds, solves and stresses.
+// Lists and cancels long-running work (job.list, job.cancel): builds, solves and stresses.
 #pragma once
 
 #include <atomic>
@@ -19,15 +19,15 @@ struct JobProgress {
     double fraction = 0;
     int iteration = 0;
     double residual = 0;
-    std::optional<double> seconds_left = std::nullopt;  ///< an estimate, where there is one
+    std::optional<double> seconds_left = std::nullopt;  ///< estimate, if available
     std::optional<std::uint64_t> memory_bytes =
-        std::nullopt;  ///< the most it will take, an estimate, where there is one
+        std::nullopt;  ///< estimate of the largest memory, if available
 };
 
-/// Kind and owner of a job.
+/// Holds the kind and owner of a job.
 struct JobOrigin {
     std::string kind;         ///< "build", "solve", "subsurface", "temperature" or "step"
-    std::string description;  ///< words for people: what is built or solved
+    std::string description;  ///< describes the build or solve for readers
     /// Returns the users of the requests that currently wait for the job, one for each request; "" without users.
     std::function<std::vector<std::string>()> users;
 };
@@ -78,7 +78,7 @@ class Job {
     JobProgress progress_;
 };
 
-/// The queued and running jobs. Thread-safe. A job is listed until it ends or is no longer referenced.
+/// Holds the queued and running jobs. Thread-safe. A job is listed until it ends or is no longer referenced.
 class JobTable {
    public:
     /// Creates a job from the arguments of its constructor; the name is the kind and a number.

@@ -29,7 +29,7 @@ void WorkerPool::post(QueueTicket ticket, Task task) {
 }
 
 void WorkerPool::drop_abandoned() {
-    std::vector<Waiting> dropped;  // destroyed after the lock: what they hold may be much
+    std::vector<Waiting> dropped;  // are destroyed after the lock is released, because they may hold much memory
     const std::scoped_lock lock(mutex_);
     const auto is_empty = [](const auto& line) { return line.parts.empty(); };
     const auto is_active = [](const Waiting& waiting) { return !waiting.abandoned || !waiting.abandoned(); };
@@ -158,11 +158,11 @@ void WorkerPool::work() {
         running_large_ += is_large;
         lock.unlock();
         next.task();
-        next = {};  // what it holds goes before the thread counts as idle
+        next = {};  // Must be freed before the thread counts as idle.
         lock.lock();
         --running_;
         running_large_ -= is_large;
-        if (is_large && waiting_ > 0) changed_.notify_one();  // another large one may begin now
+        if (is_large && waiting_ > 0) changed_.notify_one();  // Another large task may begin now.
         if (spin_.count() == 0 || waiting_ > 0) continue;
         lock.unlock();
         spin();

@@ -1,4 +1,4 @@
-// A bounded number of threads and a queue of tasks in which clients take turns.
+// Runs tasks in a bounded number of threads, with a queue in which clients take turns.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@
 
 namespace contactd::engine {
 
-/// The owner and the priority of a task.
+/// Holds the owner and the priority of a task.
 struct QueueTicket {
     std::string client;
     proto::Priority priority = proto::Priority::normal;
-    std::function<bool()> abandoned{};  ///< whether the task is abandoned; called under the pool's lock
-    std::string user{};                 ///< who has the client, which may be one of many
-    bool is_large = false;              ///< takes so long that a thread must stay free of its kind
+    std::function<bool()> abandoned{};  ///< returns whether the task is abandoned; called under the pool's lock
+    std::string user{};                 ///< the user of the client, which may have several clients
+    bool is_large = false;              ///< runs so long that one thread must stay free of such tasks
 };
 
 /// Tasks of a higher priority go first. Within a priority, users take turns, and so do the clients of a user. To
@@ -45,7 +45,7 @@ class WorkerPool {
     void drop_abandoned();
     /// Lets each existing thread run `task` once, as soon as it is idle.
     void each_when_idle(Task task);
-    void stop();  ///< what the destructor does; may be called before it
+    void stop();  ///< Does the same as the destructor; may be called before it.
 
     int waiting() const;
     int running() const;

@@ -1,4 +1,4 @@
-// Counters of an engine's work since its creation.
+// Counts an engine's work since its creation.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// The log of an engine's background work: builds, renamed damaged files, disk problems.
+// Logs an engine's background work: builds, renamed damaged files, disk problems.
 #pragma once
 
 #include <functional>

@@ -43,7 +43,7 @@ ContactSolution ContactSteps::solve(const StepState& before, const Overlay& over
     ContactSolution solution = solve_contact(problem_, influence_.influence, observer);
     for (std::string& warning : operator_warnings(influence_.use)) solution.warnings.push_back(std::move(warning));
     if (!solution.converged() && !accept_unconverged) throw not_converged(solution.evidence);
-    influence_.use.reset();  // told once: the steps keep them
+    influence_.use.reset();  // is reported once, because the steps keep the operators
     return solution;
 }
 

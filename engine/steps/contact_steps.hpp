@@ -1,4 +1,4 @@
-// The numbered steps of one simulation, each of which starts from the end of the previous one.
+// Solves the numbered steps of one simulation, each of which starts from the end of the previous one.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@
 
 namespace contactd::engine {
 
-/// The state of a simulation: all data that a step passes to the next one. To save a state, keep it.
+/// Holds the state of a simulation: all data that a step passes to the next one. To save a state, keep it.
 struct StepState {
     long long step = 0;
     SurfaceState tractions{};
     std::optional<Motion> motion{};
-    WheelRailEstimates wheel_rail{};  ///< of the steps of a wheel on its rail, which leave nothing else
+    WheelRailEstimates wheel_rail{};  ///< applies to the steps of a wheel on its rail, which leave nothing else
 };
 
 /// Solves steps from a state that the caller keeps. Allows one call at a time.
@@ -30,7 +30,7 @@ class ContactSteps {
 
     /// Returns the common set-up of all steps, and the default load.
     const ContactProblem opened;
-    const bool accept_unconverged;  ///< whether steps count that missed a tolerance
+    const bool accept_unconverged;  ///< true if steps that missed a tolerance are accepted
 
     StepState start() const { return {0, opened.previous, {}}; }
 

@@ -1,4 +1,4 @@
-// The reason why an unconverged step is rejected.
+// Explains why an unconverged step is rejected.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace contactd::engine {
 
-/// The solvers that missed their tolerance.
+/// Lists the solvers that missed their tolerance.
 class MissedTolerances {
    public:
     void add(const char* name, const std::optional<SolverEvidence>& solver);

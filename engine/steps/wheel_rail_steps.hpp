@@ -1,4 +1,4 @@
-// The numbered steps of one wheel on its rail.
+// Solves the numbered steps of one wheel on its rail.
 #pragma once
 
 #include "contactd/observer.hpp"

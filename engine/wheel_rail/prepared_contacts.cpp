@@ -5,7 +5,7 @@
 namespace contactd::engine {
 namespace {
 
-constexpr std::size_t most_cached = 32;  // both wheels of 16 wheelsets; at most 2 MB each, by the limit of points
+constexpr std::size_t most_cached = 32;  // 32 wheels of up to 2 MB each, by the limit of points
 
 }  // namespace
 
@@ -19,7 +19,7 @@ PreparedContacts::Contact PreparedContacts::of(const WheelRailSetup& setup, cons
             return contacts_.front();
         }
     }
-    auto made = std::make_shared<const WheelRailContact>(setup, source_, observer);  // two steps may make the same
+    auto made = std::make_shared<const WheelRailContact>(setup, source_, observer);  // Two steps may create the same.
     const std::scoped_lock lock(mutex_);
     contacts_.push_front(made);
     if (contacts_.size() > most_cached) contacts_.pop_back();

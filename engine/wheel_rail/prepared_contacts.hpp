@@ -1,4 +1,4 @@
-// Wheels on rails with prepared profiles, kept because a step of a simulation usually has the set-up of the previous
+// Keeps wheels on rails with prepared profiles, because a step of a simulation usually has the set-up of the previous
 // one.
 #pragma once
 

@@ -12,7 +12,7 @@
 namespace contactd::engine {
 namespace {
 
-/// Placed profiles, and the evidence of their preparation.
+/// Holds placed profiles, and the evidence of their preparation.
 struct Side {
     WheelOverRail profiles;
     ProfileEvidence wheel, rail;

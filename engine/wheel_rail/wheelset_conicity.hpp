@@ -1,4 +1,4 @@
-// A rigid wheelset with the profiles of a set-up: contacts, equivalent conicity, and the placed profiles.
+// Computes contacts, equivalent conicity and placed profiles of a rigid wheelset with the profiles of a set-up.
 #pragma once
 
 #include <vector>

@@ -16,10 +16,10 @@
 namespace contactd::ic {
 namespace {
 
-constexpr int signal_base = 128;  // exit status of a program ended by signal n is 128 + n, as shells have it
+constexpr int signal_base = 128;  // A program ended by signal n exits with 128 + n, as in shells.
 constexpr auto longest_wait = std::chrono::seconds(2);
-constexpr auto heartbeat_interval = std::chrono::milliseconds(250);  // a daemon may expect a sign of life each second
-constexpr auto least_work = std::chrono::milliseconds(1);            // more than the guard itself needs for a heartbeat
+constexpr auto heartbeat_interval = std::chrono::milliseconds(250);  // a daemon may expect a heartbeat each second
+constexpr auto least_work = std::chrono::milliseconds(1);            // exceeds the time the guard needs for a heartbeat
 
 sigset_t ending_signals() {
     sigset_t set;
@@ -103,7 +103,7 @@ bool Guard::lives() {
 
 /// Checks the memory. Returns the time until the next check, or -1 if there will be none.
 int Guard::milliseconds_to_look_at_memory() {
-    constexpr int interval = 20;  // a build fills some ten megabytes meanwhile
+    constexpr int interval = 20;  // A build fills some ten megabytes meanwhile.
     const std::uint64_t most = most_memory_;
     if (most == 0) return -1;
     if (const std::uint64_t used = resident_bytes(watched_processes_); used > most)

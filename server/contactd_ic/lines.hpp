@@ -1,4 +1,4 @@
-// Output of contactd-ic: one JSON object per line on standard output, flushed.
+// Writes the output of contactd-ic: one JSON object per line on standard output, flushed.
 #pragma once
 
 #include <mutex>
@@ -9,9 +9,9 @@
 
 namespace contactd::ic {
 
-/// The reason of a failed run.
+/// Holds the reason of a failed run.
 struct Complaint {
-    std::string field;      ///< of the specification; empty when it is none
+    std::string field;      ///< field of the specification; empty for other errors
     std::string message;    ///< a whole sentence
     std::string kind{};     ///< "out_of_memory", "invalid_argument", or empty for all else
     std::string problem{};  ///< of an invalid argument: the message without the field

@@ -4,19 +4,19 @@
 //     mpirun -np 4 contactd-ic spec.json --output table.h5
 //     contactd-ic spec.json --mesh section.vtk
 //
-// spec.json holds the parameters of ic.get (docs/protocol.md):
+// spec.json contains the parameters of ic.get (docs/protocol.md):
 //
 //     {"material": {"G": 82000, "nu": 0.28},
 //      "grid": {"nx": 10, "ny": 10, "dx": 0.8, "dy": 0.8},
 //      "ics": {"source": "fem", "preset": "paper-test3", "L_over_h": 1280}}
 //
-// The table is that of the dimensionless spec (G = 1, dx = 1). Progress comes on standard output, one JSON object a
-// line: {"stage", "fraction", "iteration", "residual", "seconds_left", "memory_bytes"}, at last {"done": true,
-// "output", "evidence"} or {"error": {"field", "message", "kind"}}, of kind invalid_argument when a field of the spec
-// is at fault; with --exit-with-stdin also {"heartbeat": rank, "processes"} from every process, four times a second.
-// Exit status: 0; 2 for a spec or a command line that cannot be used; 3 when a solve did not converge; 4 when memory
-// ran out; 128 + n when signal n ended the build, 129 also when standard input ended; 1 for anything else. The file
-// appears whole or not at all.
+// The table is that of the dimensionless spec (G = 1, dx = 1). The program writes its progress to standard output, one
+// JSON object per line: {"stage", "fraction", "iteration", "residual", "seconds_left", "memory_bytes"}. The last line
+// is {"done": true, "output", "evidence"} or {"error": {"field", "message", "kind"}}, with the kind invalid_argument if
+// a field of the spec is invalid. With --exit-with-stdin every process also writes {"heartbeat": rank, "processes"},
+// four times a second. Exit statuses: 0: success; 2: the spec or the command line is invalid; 3: a solve did not
+// converge; 4: no memory is left; 128 + n: signal n ended the build; 129: signal 1, or the end of standard input; 1:
+// any other failure. The file is written completely or not at all.
 
 #include <unistd.h>
 
@@ -48,14 +48,14 @@ struct Options {
     std::uint64_t max_memory = 0;
 };
 
-/// Context of every process: options, rank among the others, and means to report and to end.
+/// Holds the context of every process: options, its rank, and functions to report and to end.
 struct Context {
     const Options& options;
     const fem::Runtime& runtime;
     Lines& lines;
     ProgressLines& progress;
     Guard& guard;
-    std::uint64_t max_memory;  ///< of all processes on this machine together
+    std::uint64_t max_memory;  ///< for all processes on this machine together
 };
 
 /// Runs `work` on the first process. Returns its text, or throws its InvalidArgument or StoreError, on all processes.
@@ -111,7 +111,7 @@ std::string read_spec(const Options& options) {
 }
 
 IcSpec parse_spec(const std::string& text) {
-    constexpr std::size_t max_values = 10'000 + 2 * most_profile_points;  // more than any spec needs
+    constexpr std::size_t max_values = 10'000 + 2 * most_profile_points;  // exceeds any spec
     nlohmann::json json;
     try {
         proto::read_json(text, max_values, json, "SPEC");
@@ -232,7 +232,7 @@ int guarded_run(const Context& context) {
             {"", "The build ran out of memory: the machine has no free memory.", "out_of_memory"});
         if (context.runtime.processes() > 1) context.runtime.abort(out_of_memory);
         return out_of_memory;
-    } catch (const std::exception& error) {  // of MFEM or hypre, and perhaps on this process alone
+    } catch (const std::exception& error) {  // an error of MFEM or hypre, perhaps on this process alone
         context.lines.write_error({"", std::string("The build failed: ") + error.what()});
     }
     if (context.runtime.processes() > 1) context.runtime.abort(failure);

@@ -1,4 +1,4 @@
-// The memory used by a build, and the memory of the machine.
+// Measures the memory used by a build, and the memory of the machine.
 #pragma once
 
 #include <sys/types.h>

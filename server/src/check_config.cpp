@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The subject of a check, and its problem, empty if there is none.
+/// Holds the subject of a check, and its problem, which is empty if there is none.
 struct Finding {
     std::string subject;
     std::string problem;

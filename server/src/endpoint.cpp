@@ -19,7 +19,7 @@ using proto::StatusCode;
 namespace {
 
 constexpr int messages_per_look = 64;
-constexpr auto stop_time = std::chrono::seconds(5);  // builders that do not end at once
+constexpr auto stop_time = std::chrono::seconds(5);  // for builders that do not end immediately
 constexpr auto look_interval = std::chrono::milliseconds(5);
 
 const Status& client_gone() {
@@ -59,7 +59,7 @@ void Endpoint::run(int signal_fd, const Notifier& notifier, const std::function<
         }
         socket_.deliver();
         receive();
-        socket_.deliver();  // what has been answered at once
+        socket_.deliver();  // Sends immediate answers.
         end_overdue();
         parts_.sessions.expire(Clock::now());
         unused_ = parts_.engine.forget_unused(Clock::now());
@@ -157,7 +157,7 @@ void Endpoint::end_revoked() {
 // --- the end ---------------------------------------------------------------------------------------------------------
 
 bool Endpoint::is_idle() {
-    socket_.deliver();  // what was answered since the last look
+    socket_.deliver();  // Sends answers posted since the last check.
     return parts_.open_calls.count() == 0 && !socket_.has_backlog();
 }
 
@@ -181,11 +181,11 @@ void Endpoint::stop() {
     }
     service_.begin_stop();
     socket_.deliver();
-    intake_.stop();  // what it had not read yet has been answered above
+    intake_.stop();  // The reader's unread requests have been answered above.
     service_.finish_stop();
     const auto deadline = Clock::now() + AnsweringSocket::linger;
     do {
-        while (receive() && Clock::now() < deadline) socket_.deliver();  // what arrives now is refused
+        while (receive() && Clock::now() < deadline) socket_.deliver();  // Refuses requests that arrive now.
         socket_.deliver();
         std::this_thread::sleep_for(look_interval);
     } while (Clock::now() < deadline && !socket_.has_settled());

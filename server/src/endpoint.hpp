@@ -1,4 +1,4 @@
-// The I/O thread: it waits for messages, answers and signals, and handles them.
+// Runs the I/O thread, which waits for messages, answers and signals, and handles them.
 #pragma once
 
 #include <functional>
@@ -35,7 +35,7 @@ class Endpoint {
     using Clock = Call::Clock;
 
     bool wait(int signal_fd, const Notifier& notifier);
-    bool receive();  ///< some of what has arrived; true when there is more
+    bool receive();  ///< Reads some of the arrived messages; returns true if there are more.
     void end_overdue();
     void end_gone();
     void end_revoked();
@@ -53,10 +53,10 @@ class Endpoint {
     AccessControl access_;
     AnsweringSocket socket_;
     ConnectionMonitor connections_;
-    Clock::time_point end_ = Clock::time_point::max();     // of the drain, once there is one
-    Clock::time_point unused_ = Clock::time_point::max();  // when operators beyond their budget may be forgotten
+    Clock::time_point end_ = Clock::time_point::max();     // end of the drain, once it has begun
+    Clock::time_point unused_ = Clock::time_point::max();  // time at which operators beyond their budget may be freed
     MemoryReturn memory_;
-    Intake intake_;  // last: its thread uses the socket
+    Intake intake_;  // is destroyed first, because its thread uses the socket
 };
 
 }  // namespace contactd::server

@@ -78,14 +78,14 @@ void Intake::open(const Route& route, proto::Request request, Clock::time_point 
                   OpenCalls::Admission admission) {
     CallPtr call = service_.open(route, std::move(request), received, std::move(admission),
                                  [&socket = socket_](Answer answer) { socket.post(std::move(answer)); });
-    if (!call) return;  // answered while it was read
+    if (!call) return;  // It was answered while it was read.
     if (call->request.method == "request.cancel" && open_calls_.has_unread(route.identity)) {
         // The unread request may be the one to cancel, so wait until it has been read.
         return reader_.post(ticket_of(route), [this, call] { service_.handle(call); });
     }
     const bool has_deadline = call->request.timeout_ms > 0;
     service_.handle(std::move(call));
-    if (has_deadline && !socket_.is_owner()) socket_.wake();  // its wait must know of it
+    if (has_deadline && !socket_.is_owner()) socket_.wake();  // The wait must consider the new deadline.
 }
 
 void Intake::stop() {

@@ -1,4 +1,4 @@
-// From messages to calls: access, parsing, and limits on open requests.
+// Turns messages into calls: access, parsing, and limits on open requests.
 #pragma once
 
 #include <string>
@@ -39,7 +39,7 @@ class Intake {
     OpenCalls& open_calls_;
     RateLimit rate_limit_;
     bool stopped_ = false;
-    WorkerPool reader_{1};  // last: its thread uses everything above
+    WorkerPool reader_{1};  // is destroyed first, because its thread uses everything above
 };
 
 }  // namespace contactd::server

@@ -1,9 +1,8 @@
-// contactd: serves influence coefficients and contact solves.
+// Runs contactd, which serves influence coefficients and contact solves.
 //
-//   contactd --config configs/contactd.json
-// Prints one JSON line with the endpoint when it listens, logs to standard error, shuts down on SIGTERM and SIGINT, and
-// reopens its log file and reads the allowed keys again on SIGHUP. Exit status: 0; 2 for an invalid command line or
-// configuration; 1 otherwise.
+//   contactd --config configs/contactd.json The daemon prints one JSON line with the endpoint when it listens, and logs
+// to standard error. It shuts down on SIGTERM and SIGINT. On SIGHUP it reopens its log file and reads the allowed keys
+// again. Exit status: 0; 2 for an invalid command line or configuration; 1 otherwise.
 #include <spdlog/spdlog.h>
 #include <sys/signalfd.h>
 #include <unistd.h>
@@ -42,7 +41,7 @@ int signal_descriptor() {
     sigemptyset(&signals);
     for (const int signal : {SIGTERM, SIGINT, SIGHUP}) sigaddset(&signals, signal);
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    std::signal(SIGPIPE, SIG_IGN);  // a builder that died is noticed by the error of the write
+    std::signal(SIGPIPE, SIG_IGN);  // A write error reveals a builder that died.
     return ::signalfd(-1, &signals, SFD_CLOEXEC);
 }
 
@@ -123,7 +122,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::Success& asked_for_help) {
         return app.exit(asked_for_help);
     } catch (const CLI::ParseError& error) {
-        app.exit(error);  // says what; its statuses are CLI11's own
+        app.exit(error);  // prints the error; CLI11 has other statuses
         return status_unusable;
     }
     if (keygen->parsed()) return make_keys(key_folder, key_name);

@@ -13,15 +13,15 @@
 namespace contactd::fem {
 namespace {
 
-/// Mesh1 with two elements per edge of the load and layers that are scaled copies of each other needs few elements of
-/// high order: order and growth decide the error, the rest is geometry.
+/// Mesh1 has two elements per edge of the load, and layers that are scaled copies of each other. It needs few elements
+/// of high order: the error depends only on order and growth.
 struct Level {
     int order;
     double growth;
 };
 
-/// From coarse to fine, each at most twice as costly as the one before. A build starts at first_level() and goes on
-/// while the error it finds is larger than the one asked for.
+/// Levels go from coarse to fine, each at most twice as expensive as the previous one. A build starts at first_level()
+/// and continues while its error exceeds the requested accuracy.
 constexpr std::array<Level, 13> levels{{{2, 1.5},
                                         {2, 1.3},
                                         {3, 1.8},
@@ -36,8 +36,8 @@ constexpr std::array<Level, 13> levels{{{2, 1.5},
                                         {6, 1.8},
                                         {6, 1.5}}};
 
-/// Up to which Poisson's ratio a level was measured to do for offsets up to 40 x 40 (docs/findings.md): low orders
-/// lock as nu nears 1/2.
+/// Returns the largest Poisson's ratio at which measurements found the level sufficient for offsets up to 40 x 40
+/// (docs/findings.md); low orders lock as nu approaches 1/2.
 struct Start {
     double largest_nu;
     std::size_t level;
@@ -45,7 +45,7 @@ struct Start {
 constexpr std::array<Start, 4> starts_for_1e_2{{{0.38, 0}, {0.42, 1}, {0.46, 2}, {0.49, 3}}};
 constexpr std::array<Start, 4> starts_for_1e_3{{{0.35, 4}, {0.37, 5}, {0.46, 6}, {0.49, 7}}};
 constexpr std::array<Start, 2> starts_for_1e_4{{{0.3, 9}, {0.49, 10}}};
-// The corners of slender loads need more.
+// Corners of slender loads need finer meshes.
 constexpr std::size_t slender_start_for_1e_2 = 2, slender_start_for_1e_4 = 11;
 
 std::size_t first_level(const IcSpec& spec, double hardest_nu) {
@@ -59,19 +59,20 @@ std::size_t first_level(const IcSpec& spec, double hardest_nu) {
     return level(starts_for_1e_4);
 }
 
-/// The half-space is cut off at the first layer that ends at least so far beyond the farthest offset. There
-/// displacements are prescribed in closed form: what is left is the mesh's own error. A larger extent adds layers and
-/// leaves the others as they are, so that a cropped table hardly differs from one of that extent.
+/// The half-space ends at the first layer whose end is at least this far beyond the farthest offset. Displacements
+/// there are prescribed in closed form, so only the mesh's own error remains. A larger extent adds layers and does not
+/// change the others, so a cropped table hardly differs from a table of that extent.
 constexpr double cut_off = 1.1, nearest_cut_off = 10;
 
 FemSpec mesh_of(const IcSpec& spec, const Level& level) {
     FemSpec fem;
     fem.order = level.order;
     fem.f = level.growth;
-    // The cube is the load's quarter, two elements wide.
+    // The cube is the quarter of the load, two elements wide.
     fem.l_over_h = spec.load_shape == LoadShape::constant ? 0.5 : 1;
     fem.h_over_hs = 2 / fem.l_over_h;
-    // Layers grow from the shorter edge of the cube, t_j = edge (f - 1) f^(j-1): on a cube, scaled copies of the first.
+    // Layers grow from the shorter edge of the cube, t_j = edge (f - 1) f^(j-1). On a cube, they are scaled copies of
+    // the first.
     const double h = std::sqrt(spec.dx * spec.dy), edge = fem.l_over_h * std::min(spec.dx, spec.dy);
     fem.t1_over_hs = (fem.f - 1) * edge * fem.h_over_hs / h;
     const double largest = std::max(spec.dx, spec.dy), cube = fem.l_over_h * h;
@@ -108,7 +109,7 @@ IcRecord build_level(MPI_Comm comm, const IcSpec& spec, const Level& level, cons
     return record;
 }
 
-/// Time and unknowns of the meshes that were tried before count, too.
+/// The record includes time and unknowns of the meshes tried before.
 void add_costs(IcEvidence& evidence, const IcEvidence& before) {
     evidence.seconds.assembly += before.seconds.assembly;
     evidence.seconds.setup += before.seconds.setup;
@@ -142,7 +143,7 @@ IcRecord build_accurate(MPI_Comm comm, const IcSpec& spec, double hardest_nu, co
     if (spec.body == BodyShape::block) return build_block(comm, spec, progress);
     IcEvidence before;
     double error = 0;
-    constexpr double share = 0.95;  // of what is left of the progress: more levels are rarely needed
+    constexpr double share = 0.95;  // part of the remaining progress: more levels are rarely needed
     ProgressPart rest = progress;
     for (std::size_t level = first_level(spec, hardest_nu); level < levels.size(); ++level) {
         IcRecord record = build_level(comm, spec, levels[level], rest.part(0, share));

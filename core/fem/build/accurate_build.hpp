@@ -1,19 +1,19 @@
-// Tables of an accuracy asked for: mesh, order, far boundary and solver are chosen here.
+// Builds tables to a requested accuracy, and chooses mesh, order, far boundary and solver.
 #pragma once
 
 #include "mesh_build.hpp"
 
 namespace contactd::fem {
 
-/// Collective. `spec` is dimensionless with accuracy > 0, for one Poisson's ratio. The record's spec holds the mesh
-/// that was chosen, which would do for Poisson's ratios up to `hardest_nu` as well: tables that are interpolated
-/// between need one mesh. Throws NotConverged when no mesh at hand reaches the accuracy.
+/// Collective. `spec` is dimensionless with accuracy > 0, for one Poisson's ratio. The record's spec contains the
+/// chosen mesh, which also suffices for Poisson's ratios up to `hardest_nu`, because interpolation between tables
+/// requires one mesh. Throws NotConverged if no available mesh reaches the accuracy.
 IcRecord build_accurate(MPI_Comm comm, const IcSpec& spec, double hardest_nu, const ProgressPart& progress);
 
-/// The spec with the mesh that build_accurate() starts with, of a half-space.
+/// Returns the spec with the mesh of a half-space that build_accurate() starts with.
 IcSpec first_mesh(const IcSpec& spec, double hardest_nu);
 
-/// The largest of the errors in the measures of IcSpec::accuracy.
+/// Returns the largest of the errors in the measures of IcSpec::accuracy.
 double largest_error(const IcEvidence& evidence);
 
 [[noreturn]] void throw_not_reached(double accuracy, double error);

@@ -13,20 +13,20 @@
 namespace contactd::fem {
 namespace {
 
-/// Each step divides the elements that hold this share of the estimated error (Doerfler, SIAM J. Numer. Anal. 33,
-/// 1106-1124, 1996). With 0.3 there are twice as many steps, to meshes that are no better.
+/// Each step divides the elements with this share of the estimated error (Doerfler, SIAM J. Numer. Anal. 33, 1106-1124,
+/// 1996). With 0.3 there are twice as many steps, and the meshes are no better.
 constexpr double share_of_error = 0.5;
 
-/// A mesh that fills so much of max_dofs is the last one: another step would cost more than it gains.
+/// A mesh that uses this share of max_dofs is the last one, because another step would cost more than it gains.
 constexpr double full = 0.8;
 
-/// Tolerance of the solves whose displacements only mark elements.
+/// This is the tolerance of solves whose displacements only mark elements.
 constexpr double marking_tolerance = 1e-6;
 
-/// Time to choose a finer mesh, generously: several are tried.
+/// This generous time covers the choice of a finer mesh, which tries several.
 constexpr double seconds_per_dof = 1e-4;
 
-/// Share of the progress shown that all meshes but the last one take.
+/// All meshes but the last one take this share of the displayed progress.
 constexpr double refining_share = 0.5;
 
 double sum(const std::vector<double>& values) {
@@ -46,7 +46,7 @@ void require_room(const RefinedBlock& start, const FemSpec& fem) {
                                                   std::to_string(fem.order) + ": increase it, or use a lower order");
 }
 
-/// The elements to divide, the worst first.
+/// Returns the elements to divide, the worst first.
 std::vector<int> marked(const std::vector<double>& errors) {
     std::vector<int> order(errors.size());
     std::iota(order.begin(), order.end(), 0);
@@ -60,7 +60,7 @@ std::vector<int> marked(const std::vector<double>& errors) {
     return order;
 }
 
-/// Divides `elements`, or as many of the first of them as max_dofs allows, found by bisection; says whether there is
+/// Divides `elements`, or as many of the first ones as max_dofs allows, found by bisection. Returns whether there is
 /// room for more.
 bool refine(RefinedBlock& block, const std::vector<int>& elements, const FemSpec& fem) {
     const RefinedBlock before(block);
@@ -79,7 +79,7 @@ bool refine(RefinedBlock& block, const std::vector<int>& elements, const FemSpec
     return taken == all && filled < full;
 }
 
-/// Solves all loads, for marking only, and estimates what each element adds to the table's relative errors.
+/// Solves all loads, only for marking, and estimates the contribution of each element to the table's relative errors.
 std::vector<double> estimate(MPI_Comm comm, IcSpec spec, const RefinedBlock& block, const ProgressPart& progress,
                              IcEvidence& evidence) {
     spec.fem.stopping_criterion = StoppingCriterion::residual;
@@ -95,7 +95,7 @@ std::vector<double> estimate(MPI_Comm comm, IcSpec spec, const RefinedBlock& blo
 }  // namespace
 
 BlockMesh make_start_mesh(const IcSpec& spec) {
-    constexpr double growth = 2;  // layers of elements as thick as they are wide
+    constexpr double growth = 2;  // layers as thick as their elements are wide
     IcSpec start = spec;
     start.fem.mesh = MeshKind::hex;
     start.fem.l_over_h = spec.load_shape == LoadShape::constant ? 0.5 : 1;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::array<BlockLevel, 7> levels{{{3, 4}, {4, 5}, {5, 6}, {6, 7}, {7, 8}, {8, 9}, {9, 10}}};
 
-/// From one level to the next errors were measured to fall to a third at least (docs/findings.md): then the error is
-/// no more than half of the difference.
+/// In measurements, errors fell at least to a third from one level to the next (docs/findings.md). The error is then at
+/// most half of the difference.
 constexpr double error_over_difference = 1.0 / 2;
 
 IcTable closed_form(IcSpec spec) {
@@ -29,10 +29,10 @@ IcTable closed_form(IcSpec spec) {
     return half_space_table(spec);
 }
 
-/// Error that the tolerance of the solver leaves, generously.
+/// Bounds generously the error due to the solver's tolerance.
 constexpr double solver_error = 3e-6;
 
-/// Differences to the mesh before become errors.
+/// Turns differences from the previous mesh into errors.
 void take_as_errors(IcEvidence& evidence) {
     for (std::optional<ComponentError>* error : {&evidence.errors.xx, &evidence.errors.yy, &evidence.errors.zz})
         *error = ComponentError{error_over_difference * (*error)->origin,
@@ -55,7 +55,7 @@ void add_correction(const BlockCorrection::Solution& solution, Axis load, IcTabl
     }
 }
 
-/// The load along y is that along x, mirrored on the plane x = y.
+/// The load along y mirrors that along x on the plane x = y.
 void add_mirrored(const BlockCorrection::Solution& along_x, IcTable& table, const IcSpec& spec) {
     const auto mirrored = [](Axis axis) { return axis == Axis::x ? Axis::y : axis == Axis::y ? Axis::x : Axis::z; };
     for (const Axis i : {Axis::x, Axis::y, Axis::z}) {
@@ -65,7 +65,7 @@ void add_mirrored(const BlockCorrection::Solution& along_x, IcTable& table, cons
     }
 }
 
-/// The table on one mesh, without errors.
+/// Returns the table on one mesh, without errors.
 IcRecord table_on(const IcSpec& spec, const BlockLevel& level, const ProgressPart& progress) {
     const BlockCorrection correction(spec, level);
     IcRecord record{spec, closed_form(spec), {}};
@@ -102,7 +102,7 @@ BlockLevel first_block_level() {
 
 IcRecord build_block(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress) {
     const double start = MPI_Wtime();
-    constexpr double share = 0.35, modelling_share = 0.1;  // of what is left of the progress
+    constexpr double share = 0.35, modelling_share = 0.1;  // part of the remaining progress
     const double modelling = modelling_error(spec, progress.part(0, modelling_share));
     ProgressPart rest = progress.part(modelling_share, 1 - modelling_share);
     std::optional<IcRecord> before;

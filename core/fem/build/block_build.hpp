@@ -1,5 +1,5 @@
-// The block of an accuracy asked for, as the half-space and a correction (tensor/block_correction.hpp): u = closed form
-// + w. The load's singularities are in the closed form.
+// Builds a block table to a requested accuracy as a half-space solution plus a correction
+// (tensor/block_correction.hpp): u = closed form + w. The closed form contains the load's singularities.
 #pragma once
 
 #include "mesh_build.hpp"
@@ -7,12 +7,12 @@
 
 namespace contactd::fem {
 
-/// One process. `spec` is dimensionless, body block, with accuracy > 0, for one Poisson's ratio. Meshes become finer,
-/// in order and in number, until two tables in succession agree. The errors of the evidence are estimated: half of the
-/// difference to the table of the mesh before. Throws NotConverged when no mesh at hand reaches the accuracy.
+/// Uses one process. `spec` is dimensionless, for a block, with accuracy > 0 and one Poisson's ratio. Meshes become
+/// finer, in order and in number, until two successive tables agree. The errors of the evidence are estimates: half of
+/// the difference from the table of the previous mesh. Throws NotConverged if no available mesh reaches the accuracy.
 IcRecord build_block(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress);
 
-/// The finer one of the first two meshes.
+/// Returns the finer one of the first two meshes.
 BlockLevel first_block_level();
 
 }  // namespace contactd::fem

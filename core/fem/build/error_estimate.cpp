@@ -7,7 +7,7 @@
 namespace contactd::fem {
 namespace {
 
-/// Offsets that stand for all: dense near the origin, where displacements vary most.
+/// These offsets represent all others. They are dense near the origin, where displacements vary most.
 std::vector<int> chosen_indices(int count) {
     std::vector<int> result;
     for (int k = 0; k < count - 1; k = std::max(k + 1, k * 5 / 4)) result.push_back(k);
@@ -16,8 +16,8 @@ std::vector<int> chosen_indices(int count) {
 }
 
 struct Offset {
-    double x, y;  ///< in the quarter of the mesh, so negative
-    double rho;   ///< distance from the load, at least the load's own size
+    double x, y;  ///< negative, because the mesh is the quarter block
+    double rho;   ///< distance from the load, at least its size
 };
 
 std::vector<Offset> chosen_offsets(const IcSpec& spec) {
@@ -31,8 +31,8 @@ std::vector<Offset> chosen_offsets(const IcSpec& spec) {
     return result;
 }
 
-/// Nearer to an element the point load's displacements are not smooth in it, but those of the load that is computed
-/// are: of 1.5, 2 and 3 element sizes this makes errors fall most evenly.
+/// Closer to an element, the displacements of a point load are not smooth in it, but those of the computed load are.
+/// Among 1.5, 2 and 3 element sizes, this one reduces errors most evenly.
 constexpr double nearest = 2;
 
 }  // namespace

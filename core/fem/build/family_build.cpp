@@ -13,13 +13,13 @@
 namespace contactd::fem {
 namespace {
 
-/// Points of each half; each number's points hold those of the number before.
+/// Lists the points of each half; each set contains the points of the previous one.
 constexpr std::array<int, 3> sizes{5, 9, 17};
 
 using Halves = std::array<double, 2>;
 
-/// Returns in each half the error on the mesh that was given: the largest under the load or, of a block, whose error is
-/// not known, the usual one of quadratic meshes.
+/// Returns the error on the given mesh in each half: the largest one under the load or, for a block, whose error is
+/// unknown, the usual one of quadratic meshes.
 Halves mesh_errors(const std::vector<const IcRecord*>& records) {
     constexpr Halves usual{2e-3, 6e-3};
     Halves largest{};
@@ -53,7 +53,7 @@ void take_larger(std::optional<double>& error, const std::optional<double>& othe
     if (other) error = std::max(error.value_or(0), *other);
 }
 
-/// Evidence of the whole family: that of its largest table, times summed up, errors the largest of all.
+/// Returns the evidence of the whole family: that of its largest table, with all times added and the largest errors.
 IcEvidence combined(const std::vector<const IcRecord*>& records) {
     const auto fewer_dofs = [](const IcRecord* a, const IcRecord* b) { return a->evidence.dofs < b->evidence.dofs; };
     IcEvidence result = (*std::max_element(records.begin(), records.end(), fewer_dofs))->evidence;
@@ -94,13 +94,13 @@ IcRecord family_of(const IcSpec& spec, const std::vector<const IcRecord*>& recor
 
 IcRecord build_family(MPI_Comm comm, const IcSpec& spec, const BuildOne& build_one, const ProgressPart& progress) {
     const double start = MPI_Wtime();
-    // Both halves end at the break, for an accuracy with a mesh each.
+    // Both halves end at the break, so that each can have its own mesh for an accuracy.
     std::map<std::pair<double, double>, IcRecord> built;
     double done = 0;
     Halves errors{}, allowed{};
     for (const int size : sizes) {
         const std::vector<double> points = family_points(size);
-        // The first size is nearly always enough; a later one shares what is left of the progress.
+        // The first size is nearly always sufficient; a later one uses part of the remaining progress.
         const double share = (size == sizes.front() ? 0.9 : (1 - done) / 2) / static_cast<double>(points.size());
         std::vector<const IcRecord*> records;
         for (std::size_t j = 0; j < points.size(); ++j) {

@@ -24,7 +24,7 @@ void broadcast(MPI_Comm comm, char* data, int size) {
     }
 }
 
-/// The result of the work is a text: its kind and, of an InvalidArgument, its field.
+/// Encodes the result of the work as a text: its kind and, for an InvalidArgument, its field.
 enum class Kind : char { record, invalid_argument, not_converged, cancelled };
 
 struct Outcome {
@@ -52,7 +52,7 @@ std::string quiet_broadcast(MPI_Comm comm, std::string text) {
     unsigned long long size = text.size();
     broadcast(comm, reinterpret_cast<char*>(&size), sizeof size);
     text.resize(size);
-    constexpr std::size_t most = std::size_t{1} << 30;  // counts are ints in MPI
+    constexpr std::size_t most = std::size_t{1} << 30;  // MPI counts are ints.
     for (std::size_t at = 0; at < text.size(); at += most)
         broadcast(comm, text.data() + at, static_cast<int>(std::min(most, text.size() - at)));
     return text;

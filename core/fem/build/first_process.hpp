@@ -1,4 +1,4 @@
-// Work that one process does while the others wait without using processor time, as MPI's own waiting does.
+// Runs work on one process while the others wait without using processor time, unlike MPI's own waiting.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@
 
 namespace contactd::fem {
 
-/// `text` of the first process on all of them; who waits for it sleeps. Collective.
+/// Returns the `text` of the first process on all processes; waiting processes sleep. Collective.
 std::string quiet_broadcast(MPI_Comm comm, std::string text);
 
-/// `build` on the first process; its record, or its InvalidArgument, NotConverged or Cancelled, on all of them. Other
-/// exceptions come on the first process alone. Collective.
+/// Runs `build` on the first process. All processes get its record, or its InvalidArgument, NotConverged or Cancelled.
+/// Other exceptions occur on the first process only. Collective.
 IcRecord on_first_process(MPI_Comm comm, const std::function<IcRecord()>& build);
 
 }  // namespace contactd::fem

@@ -15,17 +15,17 @@
 namespace contactd::fem {
 namespace {
 
-constexpr double assembly_share = 0.15;  // of a build's time, for the progress shown
+constexpr double assembly_share = 0.15;  // share of a build's time, for the displayed progress
 constexpr double sampling_share = 0.02;
 constexpr double amg_setup_share = 0.3;  // of a load case's
 constexpr double factorisation_share = 0.95;
 /// The paper's aim (3.1).
 constexpr double largest_unremarked_error = 0.01;
-/// From here on the error of quadratic elements grows (docs/ic-tables.md).
+/// From this value on, the error of quadratic elements grows (docs/ic-tables.md).
 constexpr double locking_nu = 0.48;
 
 constexpr double seconds_per_element = 5e-5;  // of making a mesh
-constexpr double seconds_per_offset = 1e-4;   // of reading the table off, generously
+constexpr double seconds_per_offset = 1e-4;   // seconds to read the table from the solution; a generous value
 
 std::string not_converged(Axis load, const SolveResult& result, const FemSpec& fem) {
     char text[400];
@@ -39,12 +39,12 @@ std::string not_converged(Axis load, const SolveResult& result, const FemSpec& f
     return text;
 }
 
-/// The share of the way from 1 down to the tolerance, on a logarithmic scale.
+/// Returns the share of the way from 1 down to the tolerance, on a logarithmic scale.
 double convergence(double figure, double tolerance) {
     return figure > 0 ? std::clamp(std::log(figure) / std::log(tolerance), 0.0, 1.0) : 1;
 }
 
-/// The loads to be solved. On a mesh that is its own mirror image the load along y is that along x, mirrored.
+/// Lists the loads to be solved. If the mesh is its own mirror image, the load along y mirrors that along x.
 std::vector<Axis> loads_to_solve(const IcSpec& spec) {
     if (spec.fem.mesh == MeshKind::hex && spec.dx == spec.dy) return {Axis::z, Axis::x};
     return {Axis::z, Axis::x, Axis::y};
@@ -54,7 +54,7 @@ double setup_share(ElasticityProblem& problem) {
     return chosen_solver(problem) == Solver::direct ? factorisation_share : amg_setup_share;
 }
 
-/// `setup` is told of each step of the setup, as in SolveMonitor.
+/// `setup` receives each step of the setup, as in SolveMonitor.
 mfem::Vector solve(ElasticityProblem& problem, LinearSystem& system, const LoadCase& load_case, Axis load,
                    const ProgressPart& progress, const std::function<void(double, std::optional<double>)>& setup,
                    IcEvidence& evidence) {
@@ -140,7 +140,7 @@ std::vector<std::string> table_warnings(const IcSpec& spec, const IcEvidence& ev
         for (std::string& warning : modelling_warnings(spec, *evidence.modelling_error))
             result.push_back(std::move(warning));
     if (!evidence.errors.xx) return result;
-    // Clamped faces spoil the offsets next to them, whatever the mesh.
+    // Clamped faces cause errors at adjacent offsets on any mesh.
     const bool everywhere = spec.fem.far_boundary == FarBoundary::half_space;
     double error = 0;
     for (const auto& one : {evidence.errors.xx, evidence.errors.yy, evidence.errors.zz})

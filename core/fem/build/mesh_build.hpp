@@ -1,4 +1,4 @@
-// One table on one mesh for one Poisson's ratio.
+// Builds one table on one mesh for one Poisson's ratio.
 #pragma once
 
 #include "collective_observer.hpp"
@@ -7,8 +7,8 @@
 
 namespace contactd::fem {
 
-/// Times of a stretch (s): so far, expected of the step that begins, and expected of the stretch from now on, where
-/// that can be told.
+/// Holds times of a stretch (s): elapsed, expected for the next step, and expected for the rest of the stretch if it
+/// can be estimated.
 struct StepTimes {
     double before, step;
     std::optional<double> left;
@@ -24,7 +24,7 @@ struct ProgressPart {
         const double now = first + share * fraction;
         observer->report({stage, now, iteration, residual, step, now});
     }
-    /// A step that reports nothing until `fraction` has become `until`.
+    /// Reports a step that lasts until `fraction` reaches `until`, without progress of its own.
     void begin(const char* stage, double fraction, double until, const StepTimes& times) const {
         std::optional<double> left = times.left;
         if (left && share > 0) *left += (1 - first - share) / share * (times.before + *left);
@@ -33,35 +33,36 @@ struct ProgressPart {
     ProgressPart part(double from, double length) const { return {observer, first + share * from, share * length}; }
 };
 
-/// Makes the values that a load prescribes.
+/// Creates the values that a load prescribes.
 using CaseOf = std::function<LoadCase(ElasticityProblem& problem, Axis load)>;
 
-/// Throws NotConverged, a sentence with the load and what was reached, when the solve did not.
+/// Throws NotConverged with the load and the reached tolerance if the solve did not converge.
 void require_converged(const SolveResult& result, Axis load, const FemSpec& fem);
 
-/// Displacements under one load, in true degrees of freedom.
+/// Returns the displacements under one load, in true degrees of freedom.
 struct Solution {
     Axis load;
     mfem::Vector displacements;
 };
 
-/// Collective. Assembles the system of `problem` and solves `case_of` each load; of the evidence it fills the load
-/// cases and their times. Throws NotConverged when a load case misses its tolerance.
+/// Collective. Assembles the system of `problem` and solves `case_of` each load. Sets the load cases and their times in
+/// the evidence. Throws NotConverged if a load case misses its tolerance.
 std::vector<Solution> solve_loads(ElasticityProblem& problem, const CaseOf& case_of, const ProgressPart& progress,
                                   IcEvidence& evidence);
 
-/// Collective. The same, and reads the table off; the evidence lacks errors, warnings and the total time.
+/// Collective. Does the same and reads the table from the solution. The evidence lacks errors, warnings and the total
+/// time.
 IcRecord solve_and_sample(ElasticityProblem& problem, const CaseOf& case_of, const ProgressPart& progress);
 
-/// Returns warnings for users of a table on a given mesh: what the paper advises against, and errors beyond 1 %.
+/// Returns warnings for users of a table on a given mesh: choices that the paper advises against, and errors above 1 %.
 std::vector<std::string> table_warnings(const IcSpec& spec, const IcEvidence& evidence);
 
-/// Collective. Sets the total time since `start`, and all times to those of the slowest process, so that every process
-/// returns the same record.
+/// Collective. Sets the total time since `start`, and all times to those of the slowest process, so that all processes
+/// return the same record.
 void finish_evidence(IcEvidence& evidence, double start, MPI_Comm comm);
 
-/// Collective. `spec` is dimensionless, its mesh given (accuracy 0), and no family. The record carries its evidence,
-/// with errors where there is a closed form. Throws NotConverged when a load case misses its tolerance.
+/// Collective. `spec` is dimensionless, with a given mesh (accuracy 0), and no family. The record contains its
+/// evidence, with errors if a closed form exists. Throws NotConverged if a load case misses its tolerance.
 IcRecord build_on_mesh(MPI_Comm comm, const IcSpec& spec, const ProgressPart& progress);
 
 /// Builds on the mesh of `problem`; the total time counts from `start`.

@@ -12,10 +12,11 @@ namespace contactd::fem {
 namespace {
 
 constexpr BlockLevel level{4, 5};
-/// Elements between corner and middle may differ by more: by 1.033 at most in 44 random blocks, all loads of each.
+/// Elements between corner and middle may differ more: by a factor of at most 1.033 in 44 random blocks, with all loads
+/// of each.
 constexpr double beside_corner = 1.1;
 
-/// Seen from the middle of a row of elements.
+/// The position is relative to the middle of a row of elements.
 std::vector<double> centres(int count, double step) {
     std::vector<double> result;
     for (int i = 0; i < count; ++i) result.push_back((i - (count - 1) / 2.0) * step);
@@ -33,8 +34,8 @@ double half_space(const IcSpec& spec, Axis i, double x, double y) {
                : half_space_coefficient(i, i, x, y, spec.dx, spec.dy, spec.material);
 }
 
-/// The largest difference between what a load in the corner, and one in the middle, add to the half-space's component
-/// (i, j), shape [ys, xs], at the offsets xs, ys: in the measures of IcSpec::accuracy.
+/// Returns the largest difference between the half-space corrections of a load in the corner and one in the middle,
+/// component (i, j), shape [ys, xs], at the offsets xs, ys, in the measures of IcSpec::accuracy.
 double largest(const IcSpec& spec, Axis i, Axis j, const Eigen::MatrixXd& corner, const Eigen::MatrixXd& middle,
                const std::vector<double>& xs, const std::vector<double>& ys) {
     double result = 0;

@@ -9,7 +9,7 @@
 namespace contactd::fem {
 namespace {
 
-constexpr int near = self_similar_extent / 2;  // the largest offset asked for is 2 (near - 1) + 1
+constexpr int near = self_similar_extent / 2;  // The largest required offset is 2 (near - 1) + 1.
 constexpr int unknowns = near * near;
 
 void replace_near(IcTable& table, Axis i, Axis j) {

@@ -21,7 +21,7 @@ IcSpec spec_of(const SectionOutline& outline, double nu, const SolidSpec& solid)
     return spec;
 }
 
-/// The table of offsets from a strip: rows are strips, since the mesh begins with the first of them.
+/// Extracts the table of offsets from a strip. Its rows are strips, because the mesh begins with the first of them.
 void add_strip(const IcTable& rows, int strip, StripTable& table) {
     for (const Axis i : {Axis::x, Axis::y, Axis::z})
         for (const Axis j : {Axis::x, Axis::y, Axis::z})

@@ -1,5 +1,4 @@
-// The three-dimensional way to a longitudinally uniform body's coefficients, which the transform along x is checked
-// against.
+// Computes coefficients of a longitudinally uniform body in three dimensions, to check the transform along x.
 #pragma once
 
 #include "contactd/observer.hpp"
@@ -17,19 +16,19 @@ struct SolidSpec {
 };
 
 struct SolidTable {
-    StripTable table;  ///< for G = 1 and ds = 1, on elements as long as wide, symmetric as the transform's is
+    StripTable table;  ///< for G = 1 and ds = 1, on elements as long as wide, symmetric like the transform's table
     long long elements = 0, dofs = 0;
-    int loads = 0, iterations = 0;                                      ///< of conjugate gradients, all loads together
+    int loads = 0, iterations = 0;                                      ///< iterations of all loads together
     double assembly_seconds = 0, setup_seconds = 0, solve_seconds = 0;  ///< of all loads together
 };
 
 /// Collective. Each strip in turn carries a unit traction along each axis on a mesh of the paper's kind (Mesh2). The
-/// paper's solver is BoomerAMG with conjugate gradients; elements of order three are quicker with a factor. For a few
-/// strips: eighty of them would take hours. Throws as make_solid_mesh() does, and NotConverged.
+/// paper's solver is BoomerAMG with conjugate gradients, but elements of order three are faster with a factorisation.
+/// Suitable for a few strips only: eighty would take hours. Throws as make_solid_mesh() does, and NotConverged.
 SolidTable build_solid_table(MPI_Comm comm, const SectionOutline& outline, double nu, const SolidSpec& solid,
                              Observer& observer);
 
-/// Degrees of freedom of a load's problem, whose mesh alone is made.
+/// Returns the degrees of freedom of a load's problem; makes only its mesh.
 long long solid_dofs(const SectionOutline& outline, const SolidSpec& solid);
 
 }  // namespace contactd::fem

@@ -1,4 +1,4 @@
-// The record of a longitudinally uniform body: the transform of its coefficients.
+// Builds the record of a longitudinally uniform body: the transform of its coefficients.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace contactd::fem {
 
-/// Collective; wavenumbers are spread over the processes. `spec` must be dimensionless. Throws as build_ic_table does,
-/// everything on all processes.
+/// Collective; wavenumbers are distributed over the processes. `spec` must be dimensionless. Throws as build_ic_table
+/// does, on all processes.
 IcRecord build_uniform(MPI_Comm comm, const IcSpec& spec, Observer& observer, std::uint64_t max_memory_bytes);
 
-/// The mesh of the section that build_uniform takes, lengths times `unit`: an unstructured grid of VTK.
+/// Returns the mesh of the section that build_uniform uses, with lengths times `unit`, as an unstructured grid of VTK.
 std::string section_triangles(const IcSpec& spec, double unit);
 
 }  // namespace contactd::fem

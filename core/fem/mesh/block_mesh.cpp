@@ -28,7 +28,8 @@ BoundaryPart boundary_part(const mfem::Mesh& mesh, int boundary_element, const s
 }  // namespace
 
 Interval find_interval(const std::vector<double>& lines, double position) {
-    // A closed search: the offset (1,0) is a line where l = h, and the last line, L, belongs to the block.
+    // The search includes both ends: the offset (1,0) is on a line if l = h, and the last line, L, belongs to the
+    // block.
     const auto upper =
         std::clamp(std::lower_bound(lines.begin(), lines.end(), position), lines.begin() + 1, lines.end() - 1);
     const double low = *(upper - 1);

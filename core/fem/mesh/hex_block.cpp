@@ -7,7 +7,7 @@
 namespace contactd::fem {
 namespace {
 
-/// Numbers of vertices: the box's first, then shell by shell.
+/// Numbers the vertices: those of the box first, then shell by shell.
 class VertexNumbers {
    public:
     explicit VertexNumbers(int m) : n_(m + 1), on_surface_(static_cast<std::size_t>(n_) * n_ * n_, -1) {
@@ -45,8 +45,8 @@ void add_vertices(mfem::Mesh& mesh, const Shells& shells) {
 }
 
 void add_element(mfem::Mesh& mesh, const Shells& shells, const VertexNumbers& number, const ElementPosition& place) {
-    // Sides along X, Y, Z of the corners in MFEM's order, (xi, eta, zeta) = (Y, X, Z): two axes swapped, since the
-    // quarter block is the mirror image of the positive octant.
+    // Lists the sides along X, Y, Z of the corners in MFEM's order, (xi, eta, zeta) = (Y, X, Z). Two axes are swapped,
+    // because the quarter block is the mirror image of the positive octant.
     static constexpr std::array<std::array<int, 3>, 8> sides{
         {{0, 0, 0}, {0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {1, 1, 1}, {1, 0, 1}}};
     std::array<int, 8> vertices;
@@ -81,7 +81,8 @@ BlockMesh make_hex_block(const IcSpec& spec) {
     add_elements(block.mesh, shells);
     block.mesh.FinalizeTopology();  // makes the boundary elements
     mark_boundary(block.mesh, load_extent(spec));
-    // Neither refinement nor a correction of orientations may reorder the elements: element_number() counts on it.
+    // Neither refinement nor a correction of orientations may reorder the elements, because element_number() depends on
+    // the order.
     block.mesh.Finalize(false, false);
     block.locate = [shells](double X, double Y) {
         const SurfacePoint at = contactd::fem::locate(shells, X, Y);

@@ -10,13 +10,13 @@
 namespace contactd::fem {
 namespace {
 
-/// Corners of a quadrilateral of the cross-section, numbers of vertices: the first is nearest to the origin, then
-/// counterclockwise with Y to the right and Z up, so that the third is the farthest.
+/// Corners of a quadrilateral of the cross-section, as numbers of vertices. The first is nearest to the origin, the
+/// others follow counterclockwise with Y to the right and Z up, so the third is the farthest.
 using Cell = std::array<int, 4>;
 using Triangle = std::array<int, 3>;
 
-/// The cross-section x = const: (m+1)^2 vertices of the square, then of each shell the 2m+1 along the path that leads
-/// from the surface down its side and along its bottom to z = -edge, y = 0.
+/// Numbers the cross-section x = const: (m+1)^2 vertices of the square, then 2m+1 of each shell along the path from the
+/// surface down its side and along its bottom to z = -edge, y = 0.
 struct CrossSection {
     std::vector<std::array<double, 2>> vertices;  ///< (Y, Z)
     std::vector<Triangle> triangles;  ///< cells from the origin outwards, two triangles each, counterclockwise
@@ -42,8 +42,8 @@ std::vector<std::array<double, 2>> make_vertices(const Shells& shells) {
     return result;
 }
 
-/// Along the surface z = 0 lie the first cell of each column of the square and the first one of each layer, with their
-/// first two corners on it.
+/// The surface z = 0 contains the first two corners of the first cell of each column of the square, and of the first
+/// cell of each layer.
 std::vector<Cell> make_cells(int m, int k) {
     std::vector<Cell> cells;
     const auto in_square = [&](int y, int z) { return y * (m + 1) + z; };
@@ -56,7 +56,7 @@ std::vector<Cell> make_cells(int m, int k) {
             const int outer = vertex_on_path(m, layer, step), outer_next = vertex_on_path(m, layer, step + 1);
             if (step < m)
                 cells.push_back({inner, outer, outer_next, inner_next});
-            else  // along the bottom the path comes back towards y = 0
+            else  // Along the bottom, the path returns towards y = 0.
                 cells.push_back({inner_next, inner, outer, outer_next});
         }
     return cells;
@@ -72,7 +72,7 @@ CrossSection make_cross_section(const Shells& shells, Diagonal diagonal) {
     return result;
 }
 
-/// Positions of the grid lines of the surface along an axis: m intervals of the square, k growing ones.
+/// Returns positions of the grid lines of the surface along an axis: m intervals of the square, k growing ones.
 std::vector<double> make_lines(const Shells& shells, std::size_t axis) {
     const std::vector<double>& edge = shells.edge[axis];
     std::vector<double> lines;
@@ -90,12 +90,13 @@ mfem::Mesh extrude(const CrossSection& section, const std::vector<double>& X, co
     for (int slice = 0; slice < slices; ++slice)
         for (const auto& [a, b, c] : section.triangles) {
             const int near = slice * count, far = near + count;
-            // Clockwise in (Y, Z): the extrusion runs towards negative x.
+            // Vertices are clockwise in (Y, Z), because the extrusion runs towards negative x.
             mesh.AddWedge(near + a, near + c, near + b, far + a, far + c, far + b);
         }
     mesh.FinalizeTopology();  // makes the boundary elements
     mark_boundary(mesh, load);
-    // Neither refinement nor a correction of orientations may reorder the elements: locate() counts on it.
+    // Neither refinement nor a correction of orientations may reorder the elements, because locate() depends on the
+    // order.
     mesh.Finalize(false, false);
     return mesh;
 }
@@ -113,7 +114,7 @@ BlockMesh make_prism_block(const IcSpec& spec) {
     result.locate = [=, m = shells.m](double X, double Y) {
         const Interval x = find_interval(x_lines, X), y = find_interval(y_lines, Y);
         const int cell = y.number < m ? y.number * m : m * m + (y.number - m) * 2 * m;
-        // A surface cell's first triangle has both corners on the surface: the wedge's first vertex and its third.
+        // The first triangle of a surface cell has both corners on the surface: the wedge's first vertex and its third.
         ElementPoint point;
         point.element = x.number * triangles + 2 * cell;
         point.point.Init(0);

@@ -5,7 +5,7 @@
 namespace contactd::fem {
 namespace {
 
-/// The element's place in the one it was divided from; reference axes are inherited.
+/// Holds the element's place in its parent element; reference axes are inherited.
 ReferenceBox box_in_parent(const mfem::DenseMatrix& corners) {
     constexpr int first = 0, opposite = 6;
     ReferenceBox box;
@@ -56,7 +56,7 @@ void RefinedBlock::refine(const std::vector<int>& elements) {
 }
 
 BlockMesh RefinedBlock::block() const {
-    std::vector<std::vector<SurfaceElement>> on_surface;  // of each element of the start mesh
+    std::vector<std::vector<SurfaceElement>> on_surface;  // one for each element of the start mesh
     for (int i = 0; i < mesh().GetNE(); ++i) {
         const ReferenceBox& box = boxes_[static_cast<std::size_t>(i)];
         if (box.low[2] != 0) continue;

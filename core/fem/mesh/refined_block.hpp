@@ -1,5 +1,5 @@
-// A hexahedral block whose elements are divided one by one. What is left at the edges of a division are hanging nodes;
-// MFEM ties them to their neighbours.
+// Represents a hexahedral block whose elements are divided one by one. Divisions leave hanging nodes at their edges,
+// which MFEM ties to their neighbours.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace contactd::fem {
 
-/// Where an element lies in the element of the start mesh that holds it, in the latter's reference coordinates: exact,
-/// since every division halves the edges.
+/// Holds the place of an element in the element of the start mesh that contains it, in the latter's reference
+/// coordinates. It is exact, because every division halves the edges.
 struct ReferenceBox {
     int ancestor = 0;
     std::array<double, 3> low{0, 0, 0}, size{1, 1, 1};
@@ -17,15 +17,15 @@ struct ReferenceBox {
 
 class RefinedBlock {
    public:
-    /// `start` must be of hexahedra whose surface faces are zeta = 0, as make_hex_block() makes them.
+    /// `start` must consist of hexahedra whose surface faces are zeta = 0, as made by make_hex_block().
     explicit RefinedBlock(BlockMesh start);
 
-    /// Divides each of these elements into eight; all elements are numbered anew.
+    /// Divides each of these elements into eight, and numbers all elements anew.
     void refine(const std::vector<int>& elements);
 
     const mfem::Mesh& mesh() const { return mesh_; }
 
-    /// A copy of the mesh, with the start mesh's way to find the element that holds a surface point.
+    /// Returns a copy of the mesh, with the start mesh's function to find the element that contains a surface point.
     BlockMesh block() const;
 
    private:

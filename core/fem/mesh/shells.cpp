@@ -6,8 +6,8 @@
 namespace contactd::fem {
 namespace {
 
-/// The layer's outer shell as the fraction of the total thickness reached, for j = 0..k: geometric growth by f, scaled
-/// so that the last layer ends exactly at L.
+/// Returns the position of the layer's outer shell as a fraction of the total thickness, for j = 0..k: geometric growth
+/// by f, scaled so that the last layer ends exactly at L.
 std::vector<double> fractions(double f, int k) {
     std::vector<double> result(static_cast<std::size_t>(k) + 1);
     for (int j = 0; j <= k; ++j)
@@ -67,7 +67,8 @@ SurfacePoint locate(const Shells& shells, double X, double Y) {
     const auto outside = [&](int j) {
         return X > shells.edge[0][static_cast<std::size_t>(j)] || Y > shells.edge[1][static_cast<std::size_t>(j)];
     };
-    // The smallest shell that holds the point. The offset (1,0) lies on shell 0 when l = h: a closed search.
+    // Returns the smallest shell that contains the point. The search includes the shells, because the offset (1,0) lies
+    // on shell 0 if l = h.
     int low = 0, high = shells.k;
     while (low < high) {
         const int middle = (low + high) / 2;
@@ -79,7 +80,7 @@ SurfacePoint locate(const Shells& shells, double X, double Y) {
 
     SurfacePoint result;
     result.place.layer = low;
-    std::array<double, 2> edge;  // of the box through the point, concentric with the shells
+    std::array<double, 2> edge;  // edge of the box through the point, concentric with the shells
     if (low == 0) {
         edge = {shells.edge[0][0], shells.edge[1][0]};
     } else {

@@ -1,6 +1,6 @@
-// Geometry of Mesh1 (paper, section 3.1): a uniform box under the load and shells of graded frusta around it.
-// Knows nothing of MFEM. Lengths X, Y, Z are distances from the origin into the quarter block [-L,0]^3, so they are
-// positive: X = -x and so on.
+// Describes the geometry of Mesh1 (paper, section 3.1): a uniform box under the load and shells of graded frusta around
+// it. Does not depend on MFEM. Lengths X, Y, Z are distances from the origin into the quarter block [-L,0]^3, so they
+// are positive: X = -x and so on.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 namespace contactd::fem {
 
 /// Shell j is the surface of the box edge[0][j] x edge[1][j] x edge[2][j]; shell 0 is that of the uniform box. Each of
-/// its three faces is divided into m x m; the hexahedra between shells j-1 and j make layer j.
+/// its three faces is divided into m x m. The hexahedra between shells j-1 and j form layer j.
 struct Shells {
     int m = 0;                                ///< elements per edge of the box and of every shell
     int k = 0;                                ///< layers
@@ -24,8 +24,8 @@ struct Shells {
 
 Shells make_shells(const IcSpec& spec);
 
-/// An element by its place. In the box `layer` is 0 and `index` counts along the axes; in layer j >= 1 the element
-/// belongs to the frustum behind the face normal to axis `face`, and index[face] has no meaning.
+/// Identifies an element by its place. In the box, `layer` is 0 and `index` counts along the axes. In layer j >= 1, the
+/// element belongs to the frustum behind the face normal to axis `face`, and index[face] is unused.
 struct ElementPosition {
     int layer = 0;
     int face = 0;
@@ -35,7 +35,8 @@ struct ElementPosition {
 /// Elements are numbered from the origin outwards: the box, then layer by layer.
 int element_number(const Shells& shells, const ElementPosition& place);
 
-/// A corner of an element, or any vertex: shell (0 stands for the whole box) and position on it, 0..m along each axis.
+/// Identifies a corner of an element, or any vertex: its shell (0 represents the whole box) and its position on it,
+/// 0..m along each axis.
 struct Vertex {
     int shell = 0;
     std::array<int, 3> index{};
@@ -44,9 +45,9 @@ struct Vertex {
 Vertex corner(const Shells& shells, const ElementPosition& place, const std::array<int, 3>& side);
 std::array<double, 3> position(const Shells& shells, const Vertex& vertex);  ///< X, Y, Z
 
-/// The element holding the surface point (X, Y, 0) and the point's coordinates in it: `local[a]` runs from 0 at the
-/// corners with side[a] = 0 to 1. The element map on the surface is bilinear with parallel straight edges, so this is
-/// its exact inverse. A point on a shared face gets one element, always the same. X and Y must lie inside the block.
+/// Holds the element that contains the surface point (X, Y, 0), and the point's coordinates in it: `local[a]` runs from
+/// 0 at the corners with side[a] = 0 to 1. The element map on the surface is bilinear with parallel straight edges, so
+/// this is its exact inverse. A point on a shared face always gets the same element. X and Y must lie inside the block.
 struct SurfacePoint {
     ElementPosition place;
     std::array<double, 3> local{};

@@ -12,14 +12,14 @@ namespace contactd::fem {
 namespace {
 
 constexpr double largest_turn = std::numbers::pi / 12;
-/// Sub-steps in which the number of edges of a stretch is summed up.
+/// The number of edges of a stretch is summed over these sub-steps.
 constexpr int steps = 400;
 
 double distance(const PlanePoint& a, const PlanePoint& b) {
     return std::hypot(a.y - b.y, a.z - b.z);
 }
 
-/// Between two of these the outline is smooth, wholly a strip or not, wholly clamped or not.
+/// Between two of these positions the outline is smooth, and is wholly inside or outside strips and clamped parts.
 struct Stretch {
     std::size_t loop, piece;
     double from, to;
@@ -34,7 +34,7 @@ struct Fine {
 std::vector<Stretch> stretches(const SectionOutline& outline) {
     std::vector<Stretch> result;
     const double length = length_of(outline.loops[outline.carrier]);
-    // Ends of strips along their loop, in [0, length).
+    // Returns the ends of strips along their loop, in [0, length).
     std::vector<double> ends;
     for (int i = 0; i <= outline.strips; ++i) {
         const double s = outline.first_strip + i;
@@ -71,7 +71,7 @@ double turn_rate(const OutlinePiece& piece, double s) {
     return std::abs(std::atan2(a.y * b.z - a.z * b.y, a.y * b.y + a.z * b.z)) / (to - from);
 }
 
-/// Corners where stresses are singular.
+/// Returns the corners where stresses are singular.
 std::vector<PlanePoint> singular_corners(const SectionOutline& outline) {
     constexpr double straight_enough = 0.02;
     std::vector<PlanePoint> result;
@@ -79,7 +79,7 @@ std::vector<PlanePoint> singular_corners(const SectionOutline& outline) {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const OutlinePiece &before = loop[i], &after = loop[(i + 1) % loop.size()];
             const PlanePoint a = before.normal(before.length), b = after.normal(0);
-            // Positive where the outline turns left, away from the body.
+            // Is positive where the outline turns left, away from the body.
             const double turn = std::atan2(a.y * b.z - a.z * b.y, a.y * b.y + a.z * b.z);
             if (turn > straight_enough || before.clamped != after.clamped) result.push_back(after.point(0));
         }
@@ -128,7 +128,7 @@ class Division {
         if (!result.edges.empty()) result.edges.back().second = result.edges[result.loop_begin.back()].first;
     }
 
-    /// Points along the outline, for its extent and the thickness of the body.
+    /// Returns points along the outline, to estimate its extent and the thickness of the body.
     void sample() {
         for (const Stretch& stretch : stretches_) {
             if (stretch.strip >= 0) continue;
@@ -159,7 +159,7 @@ class Division {
         return least;
     }
 
-    /// Along the inward normal to the next wall.
+    /// Returns the distance along the inward normal to the next wall.
     double thickness(const PlanePoint& at, const PlanePoint& normal) const {
         double least = extent_;
         for (const auto& wall : walls_) {
@@ -175,12 +175,12 @@ class Division {
         return least;
     }
 
-    /// Edges per length at `s` of a piece.
+    /// Returns the number of edges per length at `s` of a piece.
     double edges_a_length(const OutlinePiece& piece, double s) const {
         const PlanePoint at = piece.point(s);
         double size = extent_ / density_.edges_a_body;
         for (const Fine& fine : fine_) size = std::min(size, fine.size + fine.growth * distance(at, fine.at));
-        // Where a layer is thin beside its distance from the strips little happens.
+        // Where a layer is thin compared with its distance from the strips, displacements are small.
         constexpr double slow_growth = 0.1;
         if (const double wall = std::max(thickness(at, piece.normal(s)), slow_growth * from_strips(at)); wall < size)
             size = wall;
@@ -200,7 +200,7 @@ class Division {
             for (int i = 0; i <= count; ++i) cuts.push_back(stretch.from + length * i / count);
             return cuts;
         }
-        // Small steps at both ends, where sizes may be small: s = from + length (3 t^2 - 2 t^3).
+        // Uses small steps at both ends, where sizes may be small: s = from + length (3 t^2 - 2 t^3).
         const auto place = [&](int step) {
             const double t = static_cast<double>(step) / steps;
             return stretch.from + length * t * t * (3 - 2 * t);
@@ -250,7 +250,7 @@ SizeField::SizeField(const DividedOutline& outline, const MeshDensity& density)
 double SizeField::operator()(const PlanePoint& at) const {
     double size = largest_;
     for (const Source& source : sources_) {
-        // The distance itself only where it can matter.
+        // Computes the distance only where it can affect the size.
         const double room = (size - source.size) / growth_;
         if (room <= 0) continue;
         const double dy = at.y - source.at.y, dz = at.z - source.at.z, squared = dy * dy + dz * dz;

@@ -1,4 +1,4 @@
-// The outline of a section, divided into the edges of a mesh.
+// Divides the outline of a section into the edges of a mesh.
 #pragma once
 
 #include <vector>
@@ -10,19 +10,19 @@ namespace contactd::fem {
 /// How fine a mesh is.
 struct MeshDensity {
     int edges_a_strip = 4;
-    double growth = 0.45;        ///< of the size of elements with the distance from what is fine
+    double growth = 0.45;        ///< growth of element sizes with the distance from fine parts
     double edges_a_body = 10;    ///< of the largest extent
-    double corner_share = 1e-3;  ///< size at a singular corner, over its distance from the strips
+    double corner_share = 1e-3;  ///< size at a singular corner, divided by its distance from the strips
 };
 
-/// From `from` to `to` (arc length along a piece), between the vertices `first` and `first + 1`, the last of a loop
-/// and its first one.
+/// Runs from `from` to `to` (arc length along a piece), between the vertices `first` and `first + 1`, or between the
+/// last vertex of a loop and its first one.
 struct BoundaryEdge {
     std::size_t loop, piece;
     double from, to;
-    int strip;  ///< that it belongs to, or -1
+    int strip;  ///< its strip, or -1
     bool clamped;
-    int first, second;  ///< vertices, numbered from loop to loop with the body on the right
+    int first, second;  ///< vertices, numbered loop by loop with the body on the right
 };
 
 struct DividedOutline {
@@ -32,12 +32,12 @@ struct DividedOutline {
     double extent = 0;            ///< of the body
 };
 
-/// Strips are divided evenly, everything else grows with the distance from them, and from corners where stresses are
-/// singular: re-entrant ones, and the ends of what is clamped. No edge turns by more than a sixth of a right angle, or
+/// Strips are divided uniformly. Other edges grow with the distance from strips and from corners with singular
+/// stresses: re-entrant corners, and the ends of clamped parts. No edge turns by more than a sixth of a right angle, or
 /// is much longer than the body is thick there.
 DividedOutline divide(const SectionOutline& outline, const MeshDensity& density);
 
-/// Size of elements at a point, as the edges of the outline are long there.
+/// Returns the size of elements at a point, which matches the nearby edges of the outline.
 class SizeField {
    public:
     SizeField(const DividedOutline& outline, const MeshDensity& density);

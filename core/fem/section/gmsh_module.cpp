@@ -1,5 +1,5 @@
-// The module that fills outlines by gmsh. A program opens it when it first meshes a section: gmsh brings libraries
-// whose start would cost every other build a third of a second and 70 MB.
+// Fills outlines by gmsh, as a module. A program opens it when it first meshes a section, because loading gmsh's
+// libraries takes a third of a second and 70 MB.
 #include <gmsh.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ class Gmsh {
         gmsh::option::setNumber("General.NumThreads", 1);
         gmsh::option::setNumber("Mesh.MeshSizeExtendFromBoundary", 0);
         gmsh::option::setNumber("Mesh.MeshSizeFromPoints", 0);
-        constexpr int frontal_delaunay = 6;  // makes the most even triangles
+        constexpr int frontal_delaunay = 6;  // produces the most regular triangles
         gmsh::option::setNumber("Mesh.Algorithm", frontal_delaunay);
         gmsh::model::add("section");
     }
@@ -60,7 +60,7 @@ Triangulation result_of(const DividedOutline& outline) {
     for (std::size_t node = 0; node < tags.size(); ++node)
         if (vertex.try_emplace(tags[node], static_cast<int>(result.vertices.size())).second)
             result.vertices.push_back({places[3 * node], places[3 * node + 1]});
-    std::vector<std::size_t> elements, triangles;  // empty: gmsh takes others for what they are to be filled into
+    std::vector<std::size_t> elements, triangles;  // is empty, because gmsh treats other points as part of the domain
     gmsh::model::mesh::getElementsByType(2, elements, triangles);
     for (std::size_t i = 0; i + 2 < triangles.size(); i += 3) {
         std::array<int, 3> corner{vertex.at(triangles[i]), vertex.at(triangles[i + 1]), vertex.at(triangles[i + 2])};
@@ -84,7 +84,7 @@ extern "C" bool contactd_fill_outline(const contactd::fem::DividedOutline& outli
     gmsh::model::mesh::generate(2);
     result = result_of(outline);
     return true;
-} catch (const std::exception& error) {  // gmsh throws its last message, or std::runtime_error with it
+} catch (const std::exception& error) {  // gmsh throws its last message, or std::runtime_error with that message.
     problem = error.what();
     return false;
 }

@@ -1,4 +1,4 @@
-// Fills outlines with triangles: a module of its own, contactd-gmsh.so, that is opened when it is first needed.
+// Fills outlines with triangles, by a separate module, contactd-gmsh.so, which is opened when it is first needed.
 #pragma once
 
 #include <functional>
@@ -14,11 +14,11 @@ using SizeAt = std::function<double(const PlanePoint&)>;
 
 extern "C" {
 
-/// Fills `outline` with triangles as long as `size` says. False when that fails, with the reason in `problem`; throws
-/// nothing. Not for use by several threads.
+/// Fills `outline` with triangles whose edges are as long as `size` specifies. Returns false on failure, with the
+/// reason in `problem`. Throws nothing. Not thread-safe.
 using FillOutline = bool(const contactd::fem::DividedOutline& outline, const contactd::fem::SizeAt& size,
                          contactd::fem::Triangulation& result, std::string& problem);
 
-/// The function that the module exports.
+/// Declares the function that the module exports.
 FillOutline contactd_fill_outline;
 }

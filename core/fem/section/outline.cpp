@@ -35,7 +35,7 @@ OutlinePiece arc(const PlanePoint& centre, double radius, double from, double tu
             [=](double s) {
                 return PlanePoint{centre.y + radius * std::cos(angle(s)), centre.z + radius * std::sin(angle(s))};
             },
-            // The body lies on the right: inside of an arc that turns clockwise.
+            // The body lies on the right, which is inside an arc that turns clockwise.
             [=](double s) { return PlanePoint{-sense * std::cos(angle(s)), -sense * std::sin(angle(s))}; }};
 }
 

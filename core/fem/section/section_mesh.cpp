@@ -19,8 +19,8 @@ constexpr std::array<std::array<double, 2>, 3> corners{{{0, 0}, {1, 0}, {0, 1}}}
     throw InvalidArgument("ics.section", text.data());
 }
 
-/// Moves the nodes of the triangle at an edge by how far the outline is from the edge's chord, which fades towards the
-/// opposite corner such that a parabola stays one.
+/// Moves the nodes of the triangle at an edge by the distance of the outline from the edge's chord. The displacement
+/// decreases towards the opposite corner such that a parabola is reproduced exactly.
 void curve(mfem::Mesh& mesh, const OutlinePiece& piece, const BoundaryEdge& edge, const EdgeElement& at) {
     const mfem::FiniteElementSpace& space = *mesh.GetNodalFESpace();
     mfem::Array<int> dofs;

@@ -1,4 +1,4 @@
-// The outline of a section as meshes are made from it.
+// Makes the outline of a section for meshing.
 #pragma once
 
 #include "geometry/section/section_geometry.hpp"
@@ -6,7 +6,7 @@
 
 namespace contactd::fem {
 
-/// Takes a section whose lengths are over the width of a strip.
+/// Requires a section whose lengths are divided by the width of a strip.
 SectionOutline outline_of(const geometry::SectionGeometry& section);
 
 }  // namespace contactd::fem

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double rounding = 1e-9;
 
-/// Distances from the middle of the load, ascending from 0.
+/// Returns distances from the middle of the load, ascending from 0.
 std::vector<double> slice_lines(const Slices& slices, double finest) {
     constexpr double half_load = 0.5;
     const int under_load = std::max(1, static_cast<int>(std::ceil(half_load / finest - rounding)));
@@ -22,13 +22,13 @@ std::vector<double> slice_lines(const Slices& slices, double finest) {
     for (int i = 0; i <= under_load; ++i) lines.push_back(half_load * i / under_load);
     for (double thickness = lines[1] * slices.growth; lines.back() < slices.length; thickness *= slices.growth) {
         const double left = slices.length - lines.back();
-        // The last one takes what would be too thin for one of its own.
+        // The last slice includes a remainder that would be too thin for a separate one.
         lines.push_back(left < 1.5 * thickness ? slices.length : lines.back() + thickness);
     }
     return lines;
 }
 
-/// Where strips lie along y, and how the mesh has it.
+/// Describes where strips lie along y, in the section and in the mesh.
 class LevelStrips {
    public:
     LevelStrips(const SectionOutline& outline, const DividedOutline& divided) {
@@ -50,7 +50,7 @@ class LevelStrips {
     double first_ = 0;
 };
 
-/// Gives faces their part, by the edges of the section that they stand on.
+/// Assigns faces to parts by the edges of the section beneath them.
 class Marker {
    public:
     Marker(const DividedOutline& divided, int strip, double length, int layer)
@@ -102,7 +102,8 @@ mfem::Mesh extrude(const Triangulation& section, const LevelStrips& strips, cons
         for (const PlanePoint& vertex : section.vertices) mesh.AddVertex(-x, strips.mirrored(vertex.y), vertex.z);
     for (int slice = 0; slice < slices; ++slice)
         for (const auto& [a, b, c] : section.triangles) {
-            // Anticlockwise in the section, clockwise in its mirror image: the extrusion runs towards negative x.
+            // Vertices are anticlockwise in the section and clockwise in its mirror image, because the extrusion runs
+            // towards negative x.
             const int near = slice * count, far = near + count;
             mesh.AddWedge(near + a, near + b, near + c, far + a, far + b, far + c);
         }
@@ -128,7 +129,8 @@ BlockMesh make_solid_mesh(const SectionOutline& outline, const DividedOutline& d
     BlockMesh result;
     result.mesh = extrude(triangulation, strips, lines);
     Marker(divided, strip, lines.back(), static_cast<int>(triangulation.vertices.size())).mark(result.mesh);
-    // Neither refinement nor a correction of orientations may reorder the elements: locate() counts on it.
+    // Neither refinement nor a correction of orientations may reorder the elements, because locate() depends on the
+    // order.
     result.mesh.Finalize(false, false);
 
     std::vector<double> ends{-strips.mirrored(divided.vertices[divided.edges[carriers.front()].first].y)};

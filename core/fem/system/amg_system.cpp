@@ -8,12 +8,12 @@
 namespace contactd::fem {
 namespace {
 
-/// The recurrence's residual drifts from the true one; each time it says "converged" the true one is computed, and CG
-/// starts again from there when it disagrees. After this many restarts without progress the true residual stands at
-/// rounding.
+/// The recurrence's residual drifts from the true one. Whenever it indicates convergence, the true residual is
+/// computed, and CG restarts from there if they disagree. After this many restarts without progress, the true residual
+/// is limited by rounding.
 constexpr int futile_restarts = 3;
 
-/// Setting BoomerAMG up takes about so long; so does putting the matrix together.
+/// BoomerAMG's setup takes about this time, and so does the assembly of the matrix.
 constexpr double seconds_per_nonzero = 2e-7;
 
 struct Iteration {
@@ -36,7 +36,7 @@ struct Iteration {
         return relative_norm_of_r();
     }
 
-    /// Conjugate gradients from the residual in r; returns the recurrence's last relative residual.
+    /// Runs conjugate gradients from the residual in r; returns the recurrence's last relative residual.
     double run_to_residual(int& iterations) {
         double residual = relative_norm_of_r();
         double rz = 0;
@@ -49,7 +49,7 @@ struct Iteration {
         return residual;
     }
 
-    /// Iterates until the update is small against the iterate; returns the last relative update.
+    /// Iterates until the update is small compared with the iterate; returns the last relative update.
     double run_to_update(int& iterations) {
         double update = 1, rz = 0;
         while (update > settings.tolerance && iterations < settings.max_iterations) {
@@ -62,7 +62,7 @@ struct Iteration {
         return update;
     }
 
-    /// One iteration; the length of the update, or nothing when rounding has used up what there was to gain.
+    /// Runs one iteration. Returns the length of the update, or nothing if rounding prevents further progress.
     std::optional<double> step(double& rz) {
         z = 0.0;
         preconditioner.Mult(r, z);
@@ -117,7 +117,7 @@ AmgSystem::AmgSystem(ElasticityProblem& problem, const AssemblyMonitor& monitor)
     mfem::ParFiniteElementSpace& space = problem.space();
     mfem::ParBilinearForm form(&space);
     mfem::Array<int> vdofs;
-    const auto visit = [&](int element, Eigen::MatrixXd stiffness) {  // a copy: MFEM wants it writable
+    const auto visit = [&](int element, Eigen::MatrixXd stiffness) {  // a copy, because MFEM requires write access
         const auto size = static_cast<int>(stiffness.rows());
         form.AssembleElementMatrix(element, mfem::DenseMatrix(stiffness.data(), size, size), vdofs);
     };
@@ -132,7 +132,7 @@ AmgSystem::AmgSystem(ElasticityProblem& problem, const AssemblyMonitor& monitor)
 SolveResult AmgSystem::solve(const LoadCase& load_case, mfem::Vector& u, const SolveMonitor& monitor) {
     double start = MPI_Wtime();
     monitor.setup(seconds_per_nonzero * nonzeros_ / processes_, std::nullopt);
-    // u = given + w, and w vanishes where displacements are given.
+    // Uses u = given + w, where w vanishes at prescribed displacements.
     mfem::Vector b = load_case.forces;
     unconstrained_->Mult(-1, load_case.given, 1, b);
     b.SetSubVector(load_case.essential, 0.0);

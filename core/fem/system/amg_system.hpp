@@ -1,4 +1,4 @@
-// Conjugate gradients preconditioned by BoomerAMG.
+// Solves by conjugate gradients preconditioned by BoomerAMG.
 #pragma once
 
 #include "linear_system.hpp"
@@ -17,8 +17,8 @@ class AmgSystem final : public LinearSystem {
     std::unique_ptr<mfem::HypreParMatrix> unconstrained_;
 };
 
-/// BoomerAMG's strength threshold when the spec leaves it to us, by the iterations and seconds measured for each kind
-/// of mesh.
+/// Returns BoomerAMG's strength threshold if the spec does not set it, chosen by measured iterations and seconds for
+/// each kind of mesh.
 double default_strength_threshold(MeshKind mesh);
 
 }  // namespace contactd::fem

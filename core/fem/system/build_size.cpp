@@ -16,32 +16,33 @@
 namespace contactd::fem {
 namespace {
 
-/// Up to here the factor was built faster than BoomerAMG converged; at the end it takes 5 GB. Elements of higher order
-/// have denser rows, with which BoomerAMG fares far worse than a factor.
+/// Up to this size, the factorisation was faster than BoomerAMG; at the limit it takes 5 GB. Elements of higher order
+/// have denser rows, which slow BoomerAMG down much more than a factorisation.
 long long direct_dofs(int order) {
     return order <= 2 ? 150'000 : 250'000;
 }
 
-// Measured (bytes): a builder before it has a mesh, and what it takes beyond that.
+// These are measured bytes of a builder: before it has a mesh, and in addition to the predicted memory.
 constexpr double program = 65e6;
 constexpr double per_process = 60e6;
-constexpr double per_nonzero = 36;         // conjugate gradients with BoomerAMG, the matrix twice
-constexpr double per_factor_entry = 14.5;  // unknowns that are left times those of a cross-section
-constexpr double per_tensor_dof = 200;     // some vectors of conjugate gradients, and nothing else
+constexpr double per_nonzero = 36;         // for conjugate gradients with BoomerAMG, with the matrix twice
+constexpr double per_factor_entry = 14.5;  // remaining unknowns, divided by those of a cross-section
+constexpr double per_tensor_dof = 200;     // for some vectors of conjugate gradients only
 constexpr double sizes_of_a_table = 4;     // read off, compared, written
 
 double cube(double n) {
     return n * n * n;
 }
 
-/// Numbers of nodes of a mesh, all real because meshes beyond the range of integers are asked for, too.
+/// Holds numbers of nodes of a mesh. All are real, because requests may exceed the range of integers.
 struct Nodes {
     double all = 0;
-    double inside = 0;   ///< of elements, which a direct solver eliminates first
-    double section = 0;  ///< on a surface that cuts the mesh into two parts, outside of elements
+    double inside = 0;   ///< inside elements, which a direct solver eliminates first
+    double section = 0;  ///< on a surface that divides the mesh into two parts, except inside elements
 };
 
-/// Counting nodes of order p is counting the vertices of a mesh with p times as many elements along each edge.
+/// The number of nodes of order p equals the number of vertices of a mesh with p times as many elements along each
+/// edge.
 Nodes hex_nodes(const MeshSize& size, int order) {
     const double p = order, m = size.elements_per_edge, k = size.layers;
     const double shell = cube(m * p + 1) - cube(m * p);
@@ -83,7 +84,7 @@ Nodes mesh_nodes(const IcSpec& spec) {
     return adaptive_nodes(spec.fem);
 }
 
-/// Every process has all of a section.
+/// Every process stores a whole section.
 BuildSize section_size(const IcSpec& spec, int processes) {
     const geometry::SectionGeometry section(*spec.section, spec.ny, spec.dy, "ics.section");
     const SpectrumSize one = predicted_spectrum(outline_of(section), spec.material.nu, spec.accuracy);
@@ -95,7 +96,7 @@ BuildSize section_size(const IcSpec& spec, int processes) {
 double table_bytes(const IcSpec& spec) {
     constexpr int components = 9;
     const double one = components * sizeof(double) * static_cast<double>(spec.nx) * spec.ny;
-    // The tables that were built, and those of the record.
+    // Counts the tables that were built, and those of the record.
     const double tables = spec.any_nu ? 2.0 * static_cast<double>(family_points(5).size()) : 0;
     return (tables + sizes_of_a_table) * one;
 }
@@ -106,13 +107,13 @@ std::string gigabytes(double bytes) {
     return text;
 }
 
-/// The mesh with `change` applied to its spec, if that fits.
+/// Returns the mesh with `change` applied to its spec, if it fits.
 bool fits(IcSpec spec, double most, const auto& change) {
     change(spec.fem);
     return predicted_size(spec, 1).bytes <= most;
 }
 
-/// Advises what to ask for instead.
+/// Suggests another request.
 std::string advice(const IcSpec& spec, const BuildSize& size, double most) {
     char text[200];
     if (spec.section) return "Use a coarser accuracy, or fewer strips";
@@ -141,16 +142,16 @@ const char* field_of(const IcSpec& spec, const BuildSize& size) {
 }  // namespace
 
 double nonzeros_per_dof(const FemSpec& fem) {
-    // 1, 3 and p - 1 (p - 1)^2 ... nodes of each kind with their neighbours: ((p + 1)(p - 1) + 2p + 1)/p along each
-    // axis; in the triangles of prisms about three quarters of that.
+    // Counts 1, 3 and p - 1 (p - 1)^2 ... nodes of each kind with their neighbours: ((p + 1)(p - 1) + 2p + 1)/p along
+    // each axis, and about three quarters of that in the triangles of prisms.
     return 3 * cube(fem.order + 2) * (fem.mesh == MeshKind::prism ? 0.75 : 1);
 }
 
 Solver solver_for(const FemSpec& fem, long long dofs, int processes) {
-    // Hanging nodes tie degrees of freedom together, which only the distributed matrix knows of.
+    // Hanging nodes tie degrees of freedom together, which only the distributed matrix supports.
     const bool possible = processes == 1 && fem.mesh != MeshKind::adaptive;
     if (fem.solver != Solver::automatic) return fem.solver;
-    // The update is a stopping criterion of iterations.
+    // The update is a stopping criterion of iterative solvers only.
     if (fem.stopping_criterion == StoppingCriterion::update) return Solver::amg_pcg;
     return possible && dofs <= direct_dofs(fem.order) ? Solver::direct : Solver::amg_pcg;
 }

@@ -14,10 +14,10 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Factor = Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower>;
 
-/// Refinement steps after a factorisation: rounding leaves little for a second one.
+/// Limits the refinement steps after a factorisation; rounding usually makes a second one useless.
 constexpr int refinements = 3;
 
-/// Eigen takes a factorisation that CHOLMOD had no memory for as a success.
+/// Eigen reports success even if CHOLMOD had too little memory for a factorisation.
 void require_memory(Factor& factor) {
     if (factor.cholmod().status == CHOLMOD_OUT_OF_MEMORY) throw std::bad_alloc();
 }
@@ -25,12 +25,12 @@ void require_memory(Factor& factor) {
 /// Ordering and symbolic factorisation.
 constexpr double analysis_seconds_per_dof = 2e-5;
 
-/// Measures the rate of a product of dense matrices (floating-point operations a second).
+/// Measures the rate of a product of dense matrices (floating-point operations per second).
 double product_rate() {
     constexpr int n = 256;
     const Eigen::MatrixXd a = Eigen::MatrixXd::Ones(n, n);
     Eigen::MatrixXd b = a;
-    b.noalias() = a * a;  // the first one has BLAS make its buffers
+    b.noalias() = a * a;  // The first product makes BLAS allocate its buffers.
     const double start = MPI_Wtime();
     b.noalias() += a * a;
     return 2.0 * n * n * n / std::max(seconds_since(start), 1e-6);
@@ -62,7 +62,8 @@ CholeskySystem::Matrix CholeskySystem::free_part(const std::vector<int>& free_nu
     return result;
 }
 
-/// Returns the rate of the factorisation before; at first that of products, of which factorisations reach about half.
+/// Returns the rate of the previous factorisation. The first value is half the rate of products, which factorisations
+/// usually reach.
 double CholeskySystem::factorisation_rate() {
     constexpr double efficiency = 0.5;
     if (rate_ == 0) rate_ = efficiency * product_rate();

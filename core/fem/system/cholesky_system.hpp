@@ -1,5 +1,5 @@
-// Sparse Cholesky factorisation (CHOLMOD, supernodal) on one process. Nodes inside elements are eliminated element by
-// element before: fewer entries to hold, and no surface point needs them.
+// Solves by sparse Cholesky factorisation (CHOLMOD, supernodal) on one process. Nodes inside elements are first
+// eliminated element by element, which saves entries; no surface point needs them.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -22,8 +22,8 @@ class CholeskySystem final : public LinearSystem {
     double factorisation_rate();
 
     double tolerance_;
-    double rate_ = 0;          ///< floating-point operations a second of the last factorisation
-    std::vector<int> number_;  ///< of each node of the space in the matrix, -1 for those inside elements
+    double rate_ = 0;          ///< floating-point operations per second of the last factorisation
+    std::vector<int> number_;  ///< number in the matrix of each node of the space, -1 inside elements
     Matrix lower_;             ///< lower half, three rows per numbered node, without constraints
 };
 

@@ -8,7 +8,7 @@
 namespace contactd::fem {
 namespace {
 
-/// Displacements of `outer` nodes, component by component, as indices into the element's matrix of `n` nodes.
+/// Holds displacements of `outer` nodes, component by component, as indices into the element's matrix of `n` nodes.
 std::vector<int> displacements(int first, int last, int n) {
     std::vector<int> result;
     for (int i = 0; i < 3; ++i)
@@ -16,7 +16,7 @@ std::vector<int> displacements(int first, int last, int n) {
     return result;
 }
 
-/// The matrix of the first `outer` of n nodes when the others carry no load: Koo - Koi Kii^-1 Kio.
+/// Returns the matrix of the first `outer` of n nodes if the others carry no load: Koo - Koi Kii^-1 Kio.
 Eigen::MatrixXd condensed(const Eigen::MatrixXd& K, int outer) {
     const auto n = static_cast<int>(K.rows() / 3);
     if (outer == n) return K;

@@ -1,5 +1,5 @@
-// The stiffness matrix without the nodes inside elements, eliminated element by element (static condensation), as the
-// lower half of a sparse matrix. One process.
+// Assembles the stiffness matrix without the nodes inside elements, which are eliminated element by element (static
+// condensation). It is the lower half of a sparse matrix, on one process.
 #pragma once
 
 #include <vector>
@@ -22,7 +22,7 @@ class CondensedAssembly {
     Eigen::SparseMatrix<double> assemble(const Material& material, const AssemblyMonitor& monitor);
 
    private:
-    std::vector<int> outer_nodes(int element) const;  ///< numbers of an element's nodes that stay, in MFEM's order
+    std::vector<int> outer_nodes(int element) const;  ///< numbers of an element's remaining nodes, in MFEM's order
     void find_neighbours();
     Eigen::SparseMatrix<double> empty_matrix() const;
     void add(const std::vector<int>& nodes, const Eigen::MatrixXd& stiffness, Eigen::SparseMatrix<double>& lower) const;
@@ -30,7 +30,7 @@ class CondensedAssembly {
     mfem::ParFiniteElementSpace& space_;
     std::vector<int> number_;
     int count_ = 0;
-    std::vector<std::vector<int>> below_;  ///< of each numbered node: itself and its neighbours of larger number
+    std::vector<std::vector<int>> below_;  ///< for each numbered node: itself and its neighbours of larger number
 };
 
 }  // namespace contactd::fem

@@ -8,8 +8,9 @@
 namespace contactd::fem {
 namespace {
 
-/// Components that vanish on a plane of symmetry (Table 1): across x = 0, u_i keeps or changes its sign by its parity,
-/// and what changes its sign is zero there. The others are natural. On the far faces all are given.
+/// Returns the components that vanish on a plane of symmetry (Table 1). Across x = 0, u_i keeps or changes its sign by
+/// its parity; components that change their sign are zero there. The others are natural. On the far faces all
+/// components are prescribed.
 bool is_given(Axis component, Axis load, BoundaryPart part) {
     const Parity sign = parity(component, load);
     switch (part) {
@@ -56,7 +57,7 @@ ElasticityProblem::ElasticityProblem(MPI_Comm comm, const IcSpec& spec, BlockMes
     space_ = std::make_unique<mfem::ParFiniteElementSpace>(mesh_.get(), &collection_, 3, mfem::Ordering::byVDIM);
 }
 
-// Slices from the origin outwards touch in one shell each, which no graph partitioner betters.
+// Slices from the origin outwards touch along one shell each; no graph partitioner does better.
 std::vector<int> ElasticityProblem::owners() const {
     std::vector<int> result(static_cast<std::size_t>(elements_));
     for (int rank = 0; rank < processes_; ++rank)
@@ -122,7 +123,7 @@ LoadCase ElasticityProblem::load_case(Axis load) {
     mfem::Array<int> loaded = marker(BoundaryPart::loaded);
     mfem::ParLinearForm form(space_.get());
     auto* integrator = new mfem::VectorBoundaryLFIntegrator(traction);  // the form deletes it
-    const int degree = 2 * spec_.fem.order + 2;  // bilinear map and hat function times shape function
+    const int degree = 2 * spec_.fem.order + 2;  // the bilinear map, times the hat function, times the shape function
     const mfem::IntegrationRule& rule = mfem::IntRules.Get(mfem::Geometry::SQUARE, degree);
     integrator->SetIntRule(&rule);
     form.AddBoundaryIntegrator(integrator, loaded);

@@ -1,5 +1,6 @@
-// Linear elasticity of the quarter block under a unit traction, div sigma(u) = 0, for the three load directions: the
-// finite-element space, and what each load prescribes. The systems of equations are made elsewhere (linear_system.hpp).
+// Describes linear elasticity of the quarter block under a unit traction, div sigma(u) = 0, for the three load
+// directions: the finite-element space, and the values that each load prescribes. `linear_system.hpp` assembles the
+// equations.
 #pragma once
 
 #include <memory>
@@ -12,24 +13,24 @@
 
 namespace contactd::fem {
 
-/// The values that a load direction prescribes, in true degrees of freedom.
+/// Holds the values that a load direction prescribes, in true degrees of freedom.
 struct LoadCase {
-    mfem::Array<int> essential;  ///< where displacements are given, ascending
+    mfem::Array<int> essential;  ///< degrees of freedom with prescribed displacements, ascending
     mfem::Vector given;          ///< these displacements, zero elsewhere
     mfem::Vector forces;         ///< of the unit traction
 };
 
-/// Vector H1 elements on the quarter block, the dofs of a node side by side (byVDIM), distributed in slices from the
-/// origin outwards.
+/// Uses vector H1 elements on the quarter block, with the dofs of a node side by side (byVDIM), distributed in slices
+/// from the origin outwards.
 class ElasticityProblem {
    public:
-    /// Collective. `spec` must be dimensionless, its mesh given. Throws InvalidArgument when there are more processes
+    /// Collective. `spec` must be dimensionless, with a given mesh. Throws InvalidArgument if there are more processes
     /// than elements.
     ElasticityProblem(MPI_Comm comm, const IcSpec& spec) : ElasticityProblem(comm, spec, make_block_mesh(spec)) {}
     ElasticityProblem(MPI_Comm comm, const IcSpec& spec, BlockMesh block);
 
-    /// Collective. Table 1 of the paper for a load along `load`: symmetry conditions, the far boundary's displacements,
-    /// and the unit traction (of the load's shape) on the quarter of the load.
+    /// Collective. Applies Table 1 of the paper for a load along `load`: symmetry conditions, displacements of the far
+    /// boundary, and the unit traction (with the load's shape) on the quarter of the load.
     LoadCase load_case(Axis load);
 
     const IcSpec& spec() const { return spec_; }
@@ -38,7 +39,8 @@ class ElasticityProblem {
     long long dofs() const { return space_->GlobalTrueVSize(); }
     int processes() const { return processes_; }
 
-    /// Where the surface point (-X, -Y, 0) is, its element numbered on this process; -1 when another process has it.
+    /// Returns the place of the surface point (-X, -Y, 0) with the number of its element on this process, or -1 if it
+    /// is on another process.
     ElementPoint locate(double X, double Y) const;
 
    private:
@@ -52,7 +54,7 @@ class ElasticityProblem {
     IcSpec spec_;
     long long elements_ = 0;
     std::function<ElementPoint(double, double)> locate_;
-    std::vector<int> local_number_;  ///< of each element of the whole mesh, -1 elsewhere
+    std::vector<int> local_number_;  ///< of each element of the whole mesh; -1 for elements elsewhere
     std::unique_ptr<mfem::ParMesh> mesh_;
     mfem::H1_FECollection collection_;
     std::unique_ptr<mfem::ParFiniteElementSpace> space_;

@@ -9,8 +9,8 @@ ElementStiffness::ElementStiffness(const Material& material)
     : lambda_(2 * material.G * material.nu / (1 - 2 * material.nu)), mu_(material.G) {}
 
 void ElementStiffness::prepare(const mfem::FiniteElement& element) {
-    // (p+1)^3 points of a hexahedron: fewer make the matrix singular, more change nothing that can be seen. Prisms are
-    // affine, so that degree 2p is exact; MFEM's rule of degree 3 has a negative weight.
+    // Uses (p+1)^3 points for a hexahedron: fewer make the matrix singular, and more change nothing visible. Prisms are
+    // affine, so degree 2p is exact; MFEM's rule of degree 3 has a negative weight.
     const bool prism = element.GetGeomType() == mfem::Geometry::PRISM;
     rule_ = &mfem::IntRules.Get(element.GetGeomType(), 2 * element.GetOrder() + (prism ? 0 : 1));
     const int n = element.GetDof(), points = rule_->GetNPoints();
@@ -51,7 +51,7 @@ const Eigen::MatrixXd& ElementStiffness::of(const mfem::FiniteElement& element,
 
 void for_each_stiffness(mfem::ParFiniteElementSpace& space, const Material& material, const VisitStiffness& visit,
                         const std::function<void(double fraction, double seconds)>& monitor) {
-    // Elements of high order take a second and more for a hundred.
+    // A hundred elements of high order take a second or more.
     constexpr long long fewest_chunks = 16, elements_of_chunk = 64;
     const long long chunks = std::max(fewest_chunks, space.GetParMesh()->GetGlobalNE() / elements_of_chunk);
     ElementStiffness stiffness(material);

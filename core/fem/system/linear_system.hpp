@@ -1,4 +1,4 @@
-// The system of equations of a problem, assembled once and solved for each load case.
+// Assembles the system of equations of a problem once, and solves it for each load case.
 #pragma once
 
 #include <functional>
@@ -10,10 +10,10 @@
 namespace contactd::fem {
 
 struct SolveResult {
-    int iterations = 0;   ///< of conjugate gradients; 0 with a direct solver
-    double residual = 0;  ///< true relative residual, computed from the solution, ||b - A w|| / ||b|| where w is what
-                          ///< is sought beyond the given displacements
-    std::optional<double> update;  ///< of the last iteration, when the stopping criterion asks for it
+    int iterations = 0;   ///< iterations of conjugate gradients; 0 with a direct solver
+    double residual = 0;  ///< true relative residual of the solution, ||b - A w|| / ||b||, where w is the unknown
+                          ///< part beyond the prescribed displacements
+    std::optional<double> update;  ///< relative update of the last iteration, if it is the stopping criterion
     bool converged = false;
     double setup_seconds = 0;
     double solve_seconds = 0;
@@ -21,10 +21,10 @@ struct SolveResult {
 
 /// Each is called at the same points on all processes.
 struct SolveMonitor {
-    /// A step of the setup begins: the time it is expected to take, and that of the whole solve where it is known.
+    /// Called when a step of the setup begins, with its expected time, and that of the whole solve if it is known.
     std::function<void(double seconds, std::optional<double> whole)> setup;
-    /// After the setup with iteration 0 and then after each iteration, with the figure of the stopping criterion and
-    /// what the next iteration is expected to take.
+    /// Called after the setup with iteration 0, and then after each iteration, with the value of the stopping criterion
+    /// and the expected time of the next iteration.
     std::function<void(int iteration, double figure, double seconds)> iteration;
 };
 
@@ -39,13 +39,13 @@ inline double seconds_since(double start) {
 class LinearSystem {
    public:
     virtual ~LinearSystem() = default;
-    /// Collective. `u`: true degrees of freedom, those given included. Of a system that eliminates nodes inside
-    /// elements (`direct`) their displacements stay zero; nothing on the surface depends on them.
+    /// Collective. `u` contains true degrees of freedom, including the prescribed ones. If the system eliminates nodes
+    /// inside elements (`direct`), their displacements remain zero, because nothing on the surface depends on them.
     virtual SolveResult solve(const LoadCase& load_case, mfem::Vector& u, const SolveMonitor& monitor) = 0;
 };
 
-/// solver_for() the problem (build_size.hpp). Throws InvalidArgument when a direct solver is asked for where there can
-/// be none.
+/// Returns solver_for() the problem (build_size.hpp). Throws InvalidArgument if a direct solver is requested where none
+/// is possible.
 Solver chosen_solver(const ElasticityProblem& problem);
 
 /// Collective. Assembles the system of chosen_solver(problem). `problem` must outlive it.

@@ -7,14 +7,14 @@
 namespace contactd::fem {
 namespace {
 
-/// One at nodes[i], falling linearly to zero at its neighbours.
+/// Is one at nodes[i], and decreases linearly to zero at its neighbours.
 double hat(double at, int i, const double* nodes, int count) {
     const double own = nodes[i], neighbour = at < own ? (i > 0 ? nodes[i - 1] : own) : (i < count ? nodes[i + 1] : own);
     if (at == own) return 1;
     return neighbour == own ? 0 : std::max(0.0, (neighbour - at) / (neighbour - own));
 }
 
-/// Interpolation between the nodes of a square face, of order p: products of hats over Gauss-Lobatto points.
+/// Interpolates between the nodes of a square face, of order p, by products of hats over Gauss-Lobatto points.
 class FaceHats {
    public:
     explicit FaceHats(int order) : order_(order), nodes_(mfem::poly1d.ClosedPoints(order)) {}
@@ -30,13 +30,13 @@ class FaceHats {
     const double* nodes_;
 };
 
-/// Place on the surface face of an element: two coordinates in it, and whether the point is on it at all.
+/// Holds the place on the surface face of an element: two coordinates, and whether the point is on the face at all.
 struct OnFace {
     double s, t;
     bool on;
 };
 
-/// The surface is the face zeta = 0 of hexahedra, and of prisms the square face on which the barycentric coordinate
+/// The surface is the face zeta = 0 of hexahedra. For prisms it is the square face on which the barycentric coordinate
 /// `opposite` vanishes.
 OnFace on_face(const mfem::IntegrationPoint& point, mfem::Geometry::Type geometry, int opposite) {
     constexpr double rounding = 1e-9;
@@ -51,8 +51,8 @@ int vanishing_coordinate(const mfem::IntegrationPoint& point) {
     return static_cast<int>(std::min_element(barycentric.begin(), barycentric.end()) - barycentric.begin());
 }
 
-/// Weights of an element's nodes at a surface point: its shape functions, or hats between the vertices or between all
-/// nodes of its surface face. The latter gives the paper's figures.
+/// Returns weights of an element's nodes at a surface point: its shape functions, or hats between the vertices or
+/// between all nodes of its surface face. The latter reproduces the paper's figures.
 class Weights {
    public:
     explicit Weights(Sampling sampling) : sampling_(sampling) {}
@@ -84,14 +84,14 @@ Axis mirrored(Axis axis) {
     return axis == Axis::x ? Axis::y : axis == Axis::y ? Axis::x : Axis::z;
 }
 
-/// Displacements of one load case at surface points, read from the elements of this process.
+/// Returns displacements of one load case at surface points, read from the elements of this process.
 class Displacements {
    public:
     Displacements(ElasticityProblem& problem, const mfem::Vector& true_dofs, Sampling sampling)
         : problem_(problem), u_(&problem.space()), weights_(sampling) {
         u_.SetFromTrueDofs(true_dofs);
     }
-    /// At (-X, -Y, 0); zero when another process has the point.
+    /// Returns the value at (-X, -Y, 0), or zero if another process has the point.
     std::array<double, 3> at(double X, double Y) {
         std::array<double, 3> result{};
         const auto [element, point] = problem_.locate(X, Y);
@@ -109,11 +109,11 @@ class Displacements {
     ElasticityProblem& problem_;
     mfem::ParGridFunction u_;
     Weights weights_;
-    mfem::Vector nodes_;  // of the element read last: points of a row follow each other
+    mfem::Vector nodes_;  // data of the last element, because successive points of a row are close
     int nodes_of_ = -1;
 };
 
-/// Values of one case in the elements of this process, added to `table`.
+/// Adds values of one case in the elements of this process to `table`.
 void sample_case(ElasticityProblem& problem, const IcSpec& spec, const SolvedCase& solved, IcTable& table) {
     Displacements displacements(problem, *solved.true_dofs, spec.fem.sampling);
     const bool mirror = solved.solved != solved.load;
@@ -123,7 +123,7 @@ void sample_case(ElasticityProblem& problem, const IcSpec& spec, const SolvedCas
             const auto value = mirror ? displacements.at(Y, X) : displacements.at(X, Y);
             for (const Axis read : {Axis::x, Axis::y, Axis::z}) {
                 const Axis displacement = mirror ? mirrored(read) : read;
-                // The block is the quarter of negative x and y, the table that of positive offsets.
+                // The block is the quarter of negative x and y, but the table has positive offsets.
                 const auto [along_x, along_y] = parity(displacement, solved.load);
                 table(displacement, solved.load, k, l) += along_x * along_y * value[static_cast<std::size_t>(read)];
             }
@@ -131,7 +131,7 @@ void sample_case(ElasticityProblem& problem, const IcSpec& spec, const SolvedCas
 }
 
 void sum_over_processes(UnsetArray& values, MPI_Comm comm) {
-    constexpr std::size_t chunk = std::size_t{1} << 24;  // counts are ints in MPI
+    constexpr std::size_t chunk = std::size_t{1} << 24;  // MPI counts are ints.
     for (std::size_t at = 0; at < values.size(); at += chunk)
         MPI_Allreduce(MPI_IN_PLACE, values.data() + at, static_cast<int>(std::min(chunk, values.size() - at)),
                       MPI_DOUBLE, MPI_SUM, comm);

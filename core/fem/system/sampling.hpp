@@ -1,4 +1,4 @@
-// Reading influence coefficients off finite-element displacements.
+// Reads influence coefficients from finite-element displacements.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace contactd::fem {
 
-/// A solved load case, and the direction it is read for: `load` differs from `solved` when one stands for the other
+/// Holds a solved load case, and the direction it is read for. `load` differs from `solved` if one represents the other
 /// mirrored on the plane x = y.
 struct SolvedCase {
     Axis solved;
@@ -16,8 +16,8 @@ struct SolvedCase {
     const mfem::Vector* true_dofs;
 };
 
-/// Collective. The table of `spec`, the same on every process whatever their number: a value is read by the one
-/// process that has its element. Directions without a case stay zero.
+/// Collective. Returns the table of `spec`, the same for any number of processes, because each value is read by the
+/// process that has its element. Directions without a case remain zero.
 IcTable sample_table(ElasticityProblem& problem, const IcSpec& spec, const std::vector<SolvedCase>& cases);
 
 }  // namespace contactd::fem

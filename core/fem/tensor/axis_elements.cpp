@@ -62,8 +62,8 @@ Eigen::MatrixXd AxisElements::values_at(const std::vector<double>& points) const
 AxisModes modes_of(const AxisElements& elements, AxisEnd first, AxisEnd last) {
     const Eigen::Index begin = first == AxisEnd::given ? 1 : 0;
     const Eigen::Index count = elements.nodes() - begin - (last == AxisEnd::given ? 1 : 0);
-    // The inverse problem is solved: the lowest modes, which displacements consist of, come with the digits of the
-    // largest eigenvalues, however fine some intervals are.
+    // Solves the inverse problem: the lowest modes dominate the displacements, and they then have the accuracy of the
+    // largest eigenvalues, even if some intervals are very fine.
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
         elements.mass().block(begin, begin, count, count), elements.stiffness().block(begin, begin, count, count));
     const Eigen::VectorXd inverse = solver.eigenvalues();

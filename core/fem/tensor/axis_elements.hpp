@@ -1,4 +1,4 @@
-// Finite elements along one axis, of which those of a block divided by planes are products.
+// Implements finite elements along one axis; elements of a block divided by planes are products of them.
 #pragma once
 
 #include <vector>
@@ -7,11 +7,11 @@
 
 namespace contactd::fem {
 
-/// Continuous functions that are polynomials of order p between neighbouring planes. Their nodes are the Gauss-Lobatto
-/// points of the intervals, ascending. Matrices are of shape [nodes, nodes]; all integrals are exact.
+/// Describes continuous functions that are polynomials of order p between neighbouring planes. Their nodes are the
+/// Gauss-Lobatto points of the intervals, ascending. Matrices have the shape [nodes, nodes]; all integrals are exact.
 class AxisElements {
    public:
-    /// `planes` ascend strictly, two at least.
+    /// `planes` ascend strictly; there are at least two.
     AxisElements(std::vector<double> planes, int order);
 
     Eigen::Index nodes() const { return positions_.size(); }
@@ -20,7 +20,7 @@ class AxisElements {
     const Eigen::MatrixXd& stiffness() const { return stiffness_; }  ///< of N_a' N_b'
     const Eigen::MatrixXd& slope() const { return slope_; }          ///< of N_a N_b'
 
-    /// Shape [points, nodes]: the functions at points between the first plane and the last.
+    /// Returns the functions at points between the first plane and the last, shape [points, nodes].
     Eigen::MatrixXd values_at(const std::vector<double>& points) const;
 
    private:
@@ -30,15 +30,15 @@ class AxisElements {
     Eigen::MatrixXd mass_, stiffness_, slope_;
 };
 
-/// Functions that diagonalise mass and stiffness together: their mass matrix is the identity.
+/// Holds functions that diagonalise mass and stiffness together; their mass matrix is the identity.
 struct AxisModes {
-    Eigen::MatrixXd vectors;    ///< shape [nodes, modes]; rows of ends that are given are zero
-    Eigen::VectorXd stiffness;  ///< of each mode, not negative
+    Eigen::MatrixXd vectors;    ///< shape [nodes, modes]; rows of prescribed ends are zero
+    Eigen::VectorXd stiffness;  ///< eigenvalue of each mode, not negative
 };
 
 enum class AxisEnd { free, given };
 
-/// The modes of all functions that vanish at the ends that are given.
+/// Returns the modes of all functions that vanish at the prescribed ends.
 AxisModes modes_of(const AxisElements& elements, AxisEnd first, AxisEnd last);
 
 }  // namespace contactd::fem

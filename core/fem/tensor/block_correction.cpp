@@ -14,9 +14,9 @@ constexpr double L_of(const IcSpec& spec) {
     return spec.fem.L_over_h * std::max(spec.dx, spec.dy);
 }
 
-/// Displacements go as r^lambda at the distance r from an edge where a clamped face and the free surface meet at a
-/// right angle: the root in (0.59, 1] of (3 - 4 nu) sin^2(lambda pi/2) = 4 (1-nu)^2 - lambda^2 (Williams, J. Appl.
-/// Mech. 19, 1952).
+/// Displacements are proportional to r^lambda at the distance r from an edge where a clamped face and the free surface
+/// form a right angle. lambda is the root in (0.59, 1] of (3 - 4 nu) sin^2(lambda pi/2) = 4 (1-nu)^2 - lambda^2
+/// (Williams, J. Appl. Mech. 19, 1952).
 double edge_exponent(double nu) {
     double below = 0.5, above = 1;
     for (int halving = 0; halving < 50; ++halving) {
@@ -27,13 +27,12 @@ double edge_exponent(double nu) {
     return above;
 }
 
-/// The distances of the planes from the edge go as a power of their number, by 1/lambda as usual for graded meshes.
-/// Seen from inside, 1.8 balances the intervals; the last of them is cut once more, which takes the singularity's
-/// share.
+/// The distances of the planes from the edge follow a power of their number, 1/lambda as usual for graded meshes. From
+/// inside, 1.8 balances the intervals. The last one is divided once more, to resolve the singularity.
 constexpr double grading_times_exponent = 1.8;
 constexpr double last_cut = 1.0 / 8;
 
-/// From 0 to L, finer towards L, where the edges are.
+/// Goes from 0 to L, finer towards L, where the edges are.
 std::vector<double> graded_planes(double L, const BlockLevel& level, double nu) {
     const double power = grading_times_exponent / edge_exponent(nu);
     const int equal_steps = level.intervals - 1;
@@ -79,8 +78,7 @@ PerAxis<TensorField> BlockCorrection::far_displacements(Axis load, const LoadPla
     const Eigen::Index n = axes_[0].nodes();
     PerAxis<TensorField> result;
     for (TensorField& field : result) field = {{n, n, n}, Eigen::VectorXd::Zero(n * n * n)};
-    // The part of the load's displacements that is symmetric in this way: the mean over images, which are themselves
-    // where the load is on a plane.
+    // Computes the part of the load's displacements with this symmetry: the mean over its images.
     const std::vector<double> xs = place.x == 0 ? std::vector{1.0} : std::vector{1.0, -1.0};
     const std::vector<double> ys = place.y == 0 ? std::vector{1.0} : std::vector{1.0, -1.0};
     const double share = 1.0 / static_cast<double>(xs.size() * ys.size());
@@ -99,7 +97,7 @@ PerAxis<TensorField> BlockCorrection::far_displacements(Axis load, const LoadPla
                                 share * (image_x < 0 ? sign_x[i] : 1) * (image_y < 0 ? sign_y[i] : 1) * u[i];
                     }
             }
-    // Odd functions vanish on the plane; rounding has left something.
+    // Odd functions vanish on the plane; this removes rounding errors.
     for (Eigen::Index c = 0; c < n; ++c)
         for (Eigen::Index at = 0; at < n; ++at)
             for (std::size_t i = 0; i < 3; ++i) {

@@ -1,5 +1,6 @@
-// The correction of displacements of the half-space to those of the block [-L, L]^2 x [-L, 0], whose faces are clamped:
-// no traction, and on these faces the half-space's displacements taken back. It is smooth but near the block's edges.
+// Corrects displacements of the half-space to those of the block [-L, L]^2 x [-L, 0] with clamped faces. The correction
+// has no traction on the surface, and cancels the half-space's displacements on these faces. It is smooth except near
+// the block's edges.
 #pragma once
 
 #include <memory>
@@ -10,40 +11,41 @@
 
 namespace contactd::fem {
 
-/// A mesh: order of its elements, and their number along each axis, four at least.
+/// Describes a mesh: the order of its elements, and their number along each axis, at least four.
 struct BlockLevel {
     int order;
     int intervals;
 };
 
-/// Where the centre of a loaded element lies, x and y not negative.
+/// Holds the position of the centre of a loaded element, with x and y not negative.
 struct LoadPlace {
     double x = 0, y = 0;
 };
 
 class BlockCorrection {
    public:
-    /// `spec`: dimensionless, body block, for one Poisson's ratio.
+    /// `spec` is dimensionless, for a block and one Poisson's ratio.
     BlockCorrection(const IcSpec& spec, const BlockLevel& level);
 
-    /// Called before each iteration with how far the solve has come.
+    /// Called before each iteration with the progress of the solve.
     using Monitor = std::function<void(double fraction, int iteration, double residual, double seconds)>;
 
-    /// One load, solved. A load beside the middle is the sum of up to four that are symmetric to both planes.
+    /// Solves one load. A load beside the middle is the sum of up to four loads that are symmetric or odd about both
+    /// planes.
     class Solution {
        public:
-        /// While the BlockCorrection lives: displacement along `i` at the points (xs, ys) of the surface, of any sign:
-        /// shape [ys, xs].
+        /// Returns the displacement along `i` at the points (xs, ys) of the surface, of any sign: shape [ys, xs]. Valid
+        /// as long as the BlockCorrection exists.
         Eigen::MatrixXd at(Axis i, const std::vector<double>& xs, const std::vector<double>& ys) const;
-        const SolveResult& result() const { return result_; }  ///< of all parts: iterations added, the largest residual
+        const SolveResult& result() const { return result_; }  ///< for all parts: the total and the largest one
 
        private:
         friend class BlockCorrection;
         struct Part {
             std::shared_ptr<const TensorElasticity> system;
             Eigen::VectorXd modes;
-            PerAxis<Eigen::MatrixXd> given;  ///< on the surface, at its nodes: shape [y, x], zero but at the far ends
-            PerAxis<double> sign_x, sign_y;  ///< of each component across x = 0 and y = 0
+            PerAxis<Eigen::MatrixXd> given;  ///< at its surface nodes: shape [y, x], zero except at the far ends
+            PerAxis<double> sign_x, sign_y;  ///< symmetry of each component across x = 0 and y = 0
         };
         const BlockCorrection* of_ = nullptr;
         std::vector<Part> parts_;

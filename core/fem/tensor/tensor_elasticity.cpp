@@ -26,7 +26,7 @@ AxisModes modes_along(const AxisElements& elements, std::size_t axis, bool odd) 
 /// Room for products.
 struct TensorElasticity::Work {
     PerAxis<TensorField> u;                 ///< the components
-    TensorField along_x, along_y, along_z;  ///< all of the size of u_z
+    TensorField along_x, along_y, along_z;  ///< all have the size of u_z
     TensorField result;
 };
 
@@ -65,9 +65,9 @@ const AxisModes& TensorElasticity::modes(int component, int axis) const {
     return component == axis ? own_[place(axis)] : other_[place(axis)];
 }
 
-// The integrals of p' q and p q' are opposite for two functions along x of which one is odd, and both vanish at L. With
-// D_x, D_y those of own and other modes, S that of modes along z, and (.) applied along each axis in turn, that makes
-//     K_xy = (lambda + mu) D_x D_y',   K_xz = D_x (lambda S - mu S'),   K_yz = D_y (lambda S - mu S').
+// For two functions along x of which one is odd, and which both vanish at L, the integrals of p' q and p q' have
+// opposite signs. D_x, D_y are those of own and other modes, and S is that of modes along z. Applied along each axis in
+// turn, they form K_xy = (lambda + mu) D_x D_y', K_xz = D_x (lambda S - mu S'), K_yz = D_y (lambda S - mu S').
 void TensorElasticity::multiply(const Vector& w, Vector& result, Work& work) const {
     for (const int i : components) {
         TensorField& u = work.u[place(i)];
@@ -95,7 +95,7 @@ Vector TensorElasticity::forces_of(const PerAxis<TensorField>& given) const {
     Vector result = Vector::Zero(diagonal_.size());
     for (const int i : components)
         for (const int j : components) {
-            // lambda d_i v_i d_j u_j + mu d_j v_i d_i u_j, and mu d_a v_i d_a u_i of each axis a.
+            // Adds lambda d_i v_i d_j u_j + mu d_j v_i d_i u_j, and mu d_a v_i d_a u_i for each axis a.
             const auto add = [&](double factor, int test_slope, int trial_slope) {
                 PerAxis<Matrix> matrices;
                 for (const int axis : components) {
@@ -131,7 +131,7 @@ SolveResult TensorElasticity::solve(
         return result;
     }
     double seconds = 0;
-    // The recurrence's residual drifts from the true one; where they disagree iterations start again from the latter.
+    // The recurrence's residual drifts from the true one; if they disagree, iterations restart from the latter.
     for (int round = 0; round < rounds; ++round) {
         double rz = 0;
         result.residual = norm(r) / norm_b;

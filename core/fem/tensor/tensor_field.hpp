@@ -1,4 +1,4 @@
-// Values on a grid of products, and matrices applied along one of its axes.
+// Holds values on a grid of products, and applies matrices along one of its axes.
 #pragma once
 
 #include <array>
@@ -19,11 +19,11 @@ struct TensorField {
     Eigen::VectorXd values;
 };
 
-/// matrix, or its transpose, along `axis`: out(.., i, ..) = sum over j of matrix(i, j) in(.., j, ..). `out` keeps its
-/// memory when it had the size before.
+/// Applies a matrix, or its transpose, along `axis`: out(.., i, ..) = sum over j of matrix(i, j) in(.., j, ..). `out`
+/// reuses its memory if it has the same size.
 void apply_along(int axis, const Eigen::Ref<const Eigen::MatrixXd>& matrix, const TensorField& in, TensorField& out);
 
-/// `in` with a matrix along each axis.
+/// Applies a matrix to `in` along each axis.
 TensorField apply_along_all(const std::array<Eigen::MatrixXd, 3>& matrices, TensorField in);
 
 }  // namespace contactd::fem

@@ -1,4 +1,4 @@
-// Tables whose builds failed repeatedly. Requests get the last failure immediately, until the quarantine ends.
+// Manages tables whose builds failed repeatedly. Requests get the last failure immediately, until the quarantine ends.
 #pragma once
 
 #include <chrono>
@@ -19,14 +19,14 @@ class BuildQuarantine {
    public:
     using Clock = std::chrono::steady_clock;
     struct Settings {
-        int failures = 2;                  ///< so many make a quarantine; 0: none ever
+        int failures = 2;                  ///< failures before a quarantine; 0: none
         std::chrono::seconds lasts{3600};  ///< from the last failure
         std::size_t most_entries = 1024;   ///< the oldest goes
     };
     struct Entry {
         std::string key;
         int nx = 0, ny = 0;
-        int max_iterations = 0;  ///< does not stand in the key, but a larger bound may well help
+        int max_iterations = 0;  ///< is not part of the key, but a larger bound may help
         int failures = 0;
         proto::Status last;
         Clock::time_point until;

@@ -101,7 +101,7 @@ void listen(reproc::process& child, BuilderListener& listener, const Watch& watc
             const bool is_output = stream == reproc::stream::out;
             if (!(events & (is_output ? reproc::event::out : reproc::event::err))) continue;
             const auto [size, error] = child.read(stream, buffer.data(), buffer.size());
-            if (error) continue;  // this stream has ended; poll says when both have
+            if (error) continue;  // This stream has ended; poll reports the end of both.
             const std::string_view bytes(reinterpret_cast<const char*>(buffer.data()), size);
             is_output ? listener.hear_output(bytes) : listener.hear_error(bytes);
         }

@@ -1,4 +1,4 @@
-// One build: contactd-ic as a child process, started by the configured launcher.
+// Runs one build: contactd-ic as a child process, started by the configured launcher.
 #pragma once
 
 #include <chrono>

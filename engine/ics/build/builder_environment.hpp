@@ -1,4 +1,4 @@
-// The part of the daemon's environment that a builder sees.
+// Selects the part of the daemon's environment that a builder sees.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// For platforms without MFEM's builder: tables by finite elements come from a store that a builder on Linux filled.
+// Replaces the builder on platforms without it. There, tables by finite elements come from a store that a builder on
+// Linux filled.
 #include "builder.hpp"
 
 namespace contactd::engine {

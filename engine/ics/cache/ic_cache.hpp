@@ -1,4 +1,4 @@
-// Dimensionless tables in memory. If the budget is full, the least recently used ones are removed first.
+// Caches dimensionless tables in memory. If the budget is full, the least recently used ones are removed first.
 #pragma once
 
 #include <cstddef>

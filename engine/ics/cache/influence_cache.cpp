@@ -8,7 +8,7 @@ CachedInfluence InfluenceCache::of(const std::string& key, const Make& make) {
     const auto any = [](const ContactInfluence&) { return true; };
     if (auto found = influences_.find(key, any)) return {*std::move(found)};
     if (auto found = found_beyond(key)) return *std::move(found);
-    ContactInfluence influence = make();  // two solves may make the same, and the later one is cached
+    ContactInfluence influence = make();  // Two solves may create the same operators; the later ones are cached.
     const std::size_t bytes = influence.bytes();
     if (bytes <= budget_) {
         influences_.insert(key, influence, bytes, any);
@@ -31,7 +31,7 @@ std::optional<CachedInfluence> InfluenceCache::found_beyond(const std::string& k
 }
 
 InfluenceCache::Clock::time_point InfluenceCache::forget_unused(Clock::time_point now) {
-    std::optional<Beyond> forgotten;  // destroyed after the lock: it may be much
+    std::optional<Beyond> forgotten;  // is destroyed after the lock is released, because it may be large
     const std::scoped_lock lock(mutex_);
     if (!beyond_) return Clock::time_point::max();
     if (beyond_->cached.influence.current.use_count() > 1) beyond_->used = now;

@@ -1,4 +1,4 @@
-// Influence operators of pairs of bodies, kept between the steps of a simulation because their transforms are
+// Keeps influence operators of pairs of bodies between the steps of a simulation, because their transforms are
 // expensive.
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace contactd::engine {
 
-/// Operators, and the use of those beyond the budget.
+/// Holds operators, and the use of those beyond the budget.
 struct CachedInfluence {
     ContactInfluence influence{};
     std::optional<OperatorUse> use{};

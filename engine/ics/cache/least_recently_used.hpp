@@ -1,4 +1,4 @@
-// Values in memory. If the budget is full, the least recently used ones are removed first.
+// Keeps values in memory. If the budget is full, the least recently used ones are removed first.
 #pragma once
 
 #include <algorithm>

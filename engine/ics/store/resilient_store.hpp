@@ -1,4 +1,4 @@
-// The store as used by the daemon: disk errors cause a warning, but never the loss of an answer.
+// Wraps the store for the daemon: disk errors cause a warning, but never the loss of an answer.
 #pragma once
 
 #include <atomic>

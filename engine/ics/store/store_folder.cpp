@@ -12,7 +12,7 @@ void count_store(EngineCounters& counters, const fs::path& folder) {
     for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error)) {
         if (entry->path().extension() != ".h5") continue;
-        std::error_code gone;  // another daemon may have removed it meanwhile
+        std::error_code gone;  // Another daemon may have removed it meanwhile.
         const auto size = entry->file_size(gone);
         if (gone) continue;
         ++tables;

@@ -1,4 +1,4 @@
-// The contents and the usability of the store's folder.
+// Reports the contents and the usability of the store's folder.
 #pragma once
 
 #include <filesystem>

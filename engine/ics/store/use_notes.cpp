@@ -42,7 +42,7 @@ void UseNotes::run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
         std::unique_lock lock(mutex_);
         if (!noted_.wait(lock, stop, [this] { return !uses_.empty(); })) return;
-        noted_.wait_for(lock, stop, interval, [] { return false; });  // many uses of a table are written once
+        noted_.wait_for(lock, stop, interval, [] { return false; });  // Many uses of a table are written once.
         lock.unlock();
         write();
     }

@@ -31,7 +31,7 @@ class UseNotes {
     std::mutex mutex_;
     std::condition_variable_any noted_;
     std::map<std::filesystem::path, IcStore::Time> uses_;
-    std::jthread thread_;  // last: it uses everything above
+    std::jthread thread_;  // is destroyed first, because it uses everything above
 };
 
 }  // namespace contactd::engine

@@ -1,4 +1,4 @@
-// Access of clients, and the sender of a message.
+// Controls the access of clients, and determines the sender of a message.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace contactd::server {
 
-/// The answer to a user whose key has been revoked.
+/// The answer to a user with a revoked key.
 proto::Status key_revoked();
 
 /// Decides on connections by ZeroMQ's authentication protocol (ZAP, RFC 27): with CURVE only holders of allowed keys

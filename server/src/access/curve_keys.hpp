@@ -1,4 +1,4 @@
-// The keys of CURVE: the daemon's own, those of its users, and new ones.
+// Reads and creates keys of CURVE: the daemon's own, and those of its users.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace contactd::server {
 
-/// Public keys (Z85) of allowed users with the users' names, which are the names of the files.
+/// Holds the public keys (Z85) of allowed users with the users' names, which are the names of the files.
 class AllowedKeys {
    public:
     /// Returns the user with this key, or an empty text.

@@ -1,4 +1,4 @@
-// Access of users to methods.
+// Controls the access of users to methods.
 #pragma once
 
 #include <optional>

@@ -36,7 +36,7 @@ class RateLimit {
     const double per_second_;
     const double burst_;
     std::map<std::string, Bucket> buckets_;
-    std::size_t forget_at_ = 1024;  // users, when those who are idle are looked for
+    std::size_t forget_at_ = 1024;  // number of users at which idle ones are removed
 };
 
 }  // namespace contactd::server

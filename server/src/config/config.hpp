@@ -1,4 +1,4 @@
-// The daemon's configuration: one JSON file, checked against configs/schema.json before anything runs.
+// Reads the daemon's configuration: one JSON file, checked against configs/schema.json before anything runs.
 #pragma once
 
 #include <chrono>
@@ -17,28 +17,28 @@ namespace contactd::server {
 /// Bounds of sessions; published by server.info.
 struct SessionLimits {
     std::size_t max_sessions;  ///< open at the same time
-    std::size_t max_bytes;     ///< of all sessions and their states together
-    std::size_t max_states;    ///< saved ones of one session
-    double lease_seconds;      ///< of a request that does not say
+    std::size_t max_bytes;     ///< for all sessions and their states together
+    std::size_t max_states;    ///< saved states of one session
+    double lease_seconds;      ///< default of a request
     double max_lease_seconds;
 };
 
 /// Bounds of the data kept of the last solves.
 struct RecentSolvesLimits {
     std::size_t count;      ///< solves; 0: none
-    std::size_t max_bytes;  ///< of the pressures of all together; the oldest go first
+    std::size_t max_bytes;  ///< of the pressures of all solves together; the oldest are removed first
 };
 
 /// Rules of access to methods.
 struct MethodRules {
-    static constexpr const char* builds = "builds";  ///< the name that stands for having tables built, whatever asks
+    static constexpr const char* builds = "builds";  ///< stands for builds of tables by any method
     std::vector<std::string> disabled;
-    /// Users, as named by AccessControl::user_of, for names of methods or `builds`. Methods not listed here are open to
-    /// all users.
+    /// Maps names of methods or `builds` to users, named as by AccessControl::user_of. Methods not listed here are open
+    /// to all users.
     std::map<std::string, std::vector<std::string>> allowed_users;
 };
 
-/// The fields of configs/schema.json, which also contains all defaults.
+/// Holds the fields of configs/schema.json, which also contains all defaults.
 struct Config {
     std::string endpoint;
     struct {

@@ -1,4 +1,4 @@
-// Rules of endpoints: addresses that only this machine can reach need no keys, all others do. Rules of the log file.
+// Checks endpoints: addresses that only this machine can reach need no keys, all others do. Also checks the log file.
 #pragma once
 
 #include <string>

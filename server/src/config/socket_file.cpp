@@ -65,7 +65,7 @@ std::string socket_file_problem(const std::string& endpoint) {
         return begin + file + " is " + kind_of(status.st_mode) +
                ", which listening there would remove; choose another path, or move it.";
     switch (const int error = connecting_to(file)) {
-        case ECONNREFUSED:  // left by a process that has ended
+        case ECONNREFUSED:  // A process that has ended left it.
         case ENOENT:
             return {};
         case 0:

@@ -1,4 +1,4 @@
-// The file of an ipc endpoint, which listening there replaces.
+// Manages the file of an ipc endpoint, which listening there replaces.
 #pragma once
 
 #include <sys/stat.h>

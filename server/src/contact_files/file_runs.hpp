@@ -1,4 +1,4 @@
-// Runs of input files of the CONTACT program that wait for their next call.
+// Stores runs of input files of the CONTACT program that wait for their next call.
 #pragma once
 
 #include <chrono>
@@ -31,7 +31,7 @@ class FileRuns {
     void forget_old();
 
     std::mutex mutex_;
-    std::list<Kept> runs_;  // the one that was used last at the end
+    std::list<Kept> runs_;  // the last used one at the end
 };
 
 }  // namespace contactd::server

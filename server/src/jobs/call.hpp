@@ -1,4 +1,4 @@
-// One request being processed by the daemon.
+// Represents one request being processed by the daemon.
 #pragma once
 
 #include <atomic>
@@ -21,29 +21,29 @@ using engine::Job;
 using engine::QueueTicket;
 using engine::WorkerPool;
 
-/// The route of an answer to its client.
+/// Holds the route of an answer to its client.
 struct Route {
-    std::string identity;          ///< of the client, given by ROUTER
-    bool empty_delimiter = false;  ///< a REQ socket: one answer only, behind an empty frame
-    std::string user{};            ///< who sent the request (AccessControl); empty when its key was revoked
+    std::string identity;          ///< identity of the client, given by ROUTER
+    bool empty_delimiter = false;  ///< true for a REQ socket: one answer only, behind an empty frame
+    std::string user{};            ///< the sender of the request (AccessControl); empty when its key was revoked
 };
 
 /// The number of an open request; 0 for one that is answered immediately.
 using CallNumber = std::uint64_t;
 
-/// An outgoing answer: frame 0 and its arrays.
+/// Holds an outgoing answer: frame 0 and its arrays.
 struct Answer {
     Route route;
     std::string envelope;
     proto::Frames frames;
     bool is_progress = false;
-    // For the log and the metrics, unless it is progress:
+    // These members are for the log and the metrics, except for progress.
     std::string id, method, status;
     double milliseconds = 0;
     std::string reason;  ///< empty when the status is OK
-    std::string agent;   ///< what the client calls itself
+    std::string agent;   ///< name that the client gives itself
     CallNumber number = 0;
-    std::shared_ptr<const void> counted{};  ///< its bytes, until the last of its frames has been sent
+    std::shared_ptr<const void> counted{};  ///< counts its bytes until the last of its frames has been sent
 };
 
 /// Answers once, from any thread; later answers are dropped.
@@ -64,11 +64,11 @@ class Call {
     const proto::Request request;
     const Clock::time_point received;
     const proto::Priority priority;
-    /// The work that answers it, if job.list shows it; set by job_of.
+    /// Holds the work that answers it, if job.list shows it; set by job_of.
     std::shared_ptr<Job> job;
-    /// Whether its expected work is long, so that it must leave a worker to others. Set before the work is queued.
+    /// True if its expected work is long, so that it must leave a worker to others. Set before the work is queued.
     bool is_large = false;
-    /// The bytes of the running work, released when they are reset (WorkBudget).
+    /// Holds the bytes of the running work, released when they are reset (WorkBudget).
     std::shared_ptr<const void> work;
 
     /// Returns the connection of the request, by which queues and limits count clients.

@@ -1,4 +1,4 @@
-// Progress reports and cancellation of the computations of one call.
+// Reports progress of the computations of one call, and cancels them.
 #pragma once
 
 #include <chrono>
@@ -37,7 +37,7 @@ inline std::shared_ptr<Job> job_of(const CallPtr& call, const std::string& kind,
     call->job = jobs.create(origin_of(*call, kind), [waiting = std::weak_ptr(call)] {
         if (const CallPtr known = waiting.lock()) known->fail(status_of(Cancelled("The job was cancelled.")));
     });
-    // The request is abandoned, even if it is still referenced.
+    // True if the request is abandoned, even if it is still referenced.
     call->when_answered([waiting = std::weak_ptr(call->job)] {
         if (const auto known = waiting.lock()) known->end();
     });

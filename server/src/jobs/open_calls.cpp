@@ -67,7 +67,7 @@ void OpenCalls::forget(const Entry& entry, Number number) {
 }
 
 void OpenCalls::close(Number number) {
-    CallPtr last;  // may go here, which is not for the lock
+    CallPtr last;  // may be destroyed here, outside the lock
     const std::scoped_lock lock(mutex_);
     const auto at = entries_.find(number);
     if (at == entries_.end()) return;

@@ -1,4 +1,4 @@
-// The requests that wait for an answer, and the limits on their number.
+// Counts and limits the requests that wait for an answer.
 #pragma once
 
 #include <atomic>
@@ -23,8 +23,8 @@ class OpenCalls {
     struct Bounds {
         std::size_t calls;
         std::size_t calls_per_client;
-        std::size_t bytes;               ///< of their messages; one request alone is let in whatever its size
-        std::size_t calls_per_user = 0;  ///< over all connections together; 0: any number
+        std::size_t bytes;               ///< of their messages; a single request is always accepted
+        std::size_t calls_per_user = 0;  ///< for one user over all connections; 0: no limit
     };
     /// Released with the last copy.
     using ReservedBytes = std::shared_ptr<const void>;
@@ -35,7 +35,7 @@ class OpenCalls {
 
     explicit OpenCalls(const Bounds& bounds) : bounds_(bounds) {}
 
-    /// Throws StatusError (RESOURCE_EXHAUSTED; QUEUE_FULL, or TOO_MANY_OPEN of one user) naming the bound that is
+    /// Throws StatusError (RESOURCE_EXHAUSTED; QUEUE_FULL, or TOO_MANY_OPEN for one user) naming the limit that is
     /// reached.
     Admission admit(const Route& route, std::size_t bytes);
     /// Returns false if the request has been closed meanwhile, because another thread answered it.

@@ -31,7 +31,7 @@ struct WorkBudget::State : std::enable_shared_from_this<State> {
     const double limit;
     std::mutex mutex;  // guards what follows
     WorkerPool* workers = nullptr;
-    double work = 0, counted = 0;  // bytes under way, and those that are there in any case
+    double work = 0, counted = 0;  // Counts bytes of running work, and bytes that are used in any case.
     double so_far = 0;             // bytes given back
     std::multiset<std::string> busy_clients;
     std::deque<Waiting> waiting;
@@ -69,7 +69,7 @@ struct WorkBudget::State : std::enable_shared_from_this<State> {
 
     void give_back(double of_work, double of_counted, const std::string& client) {
         std::unique_lock lock(mutex);
-        work -= of_work;  // whole numbers below 2^53, whose sums come back to zero
+        work -= of_work;  // uses whole numbers below 2^53, whose sums return to exactly zero
         counted -= of_counted;
         so_far += of_work + of_counted;
         if (const auto at = busy_clients.find(client); at != busy_clients.end()) busy_clients.erase(at);
@@ -94,7 +94,7 @@ WorkBudget::~WorkBudget() {
 }
 
 void WorkBudget::close() {
-    std::deque<Waiting> dropped;  // calls go without the lock
+    std::deque<Waiting> dropped;  // Calls are released without the lock.
     const std::scoped_lock lock(state_->mutex);
     state_->workers = nullptr;
     dropped.swap(state_->waiting);
@@ -119,7 +119,7 @@ std::shared_ptr<const void> WorkBudget::count(double bytes) {
 }
 
 void WorkBudget::drop_abandoned() {
-    std::vector<Waiting> dropped;  // calls go without the lock
+    std::vector<Waiting> dropped;  // Calls are released without the lock.
     const std::scoped_lock lock(state_->mutex);
     std::deque<Waiting>& waiting = state_->waiting;
     const auto unwanted = std::stable_partition(waiting.begin(), waiting.end(),

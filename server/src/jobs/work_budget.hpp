@@ -1,4 +1,4 @@
-// The memory of running work, counted before the work begins.
+// Limits the memory of running work, counted before the work begins.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,10 @@
 
 namespace contactd::server {
 
-/// The expected cost of a request, from its arguments.
+/// Holds the expected cost of a request, computed from its arguments.
 struct WorkCost {
-    double bytes = 0;    ///< of memory when it takes most, its answer included
-    double seconds = 0;  ///< of a processor, an estimate by the products that it takes
+    double bytes = 0;    ///< largest memory, including the answer
+    double seconds = 0;  ///< processor time, estimated from the number of products
 };
 
 /// Work begins when it fits beside the running work and the answers waiting to be sent. Until then it waits, in the
@@ -38,15 +38,15 @@ class WorkBudget {
 
     std::size_t bytes() const;  ///< that are counted now
     struct Use {
-        double under_way;  ///< bytes of work, without those that are there in any case
-        double so_far;     ///< bytes of all work that has ended, and of all that was counted
+        double under_way;  ///< bytes of work, without bytes that are used in any case
+        double so_far;     ///< bytes of all ended work and of everything counted
     };
     Use use() const;
     std::size_t waiting() const;  ///< pieces of work
 
    private:
     struct State;
-    std::shared_ptr<State> state_;  // outlived by what is counted
+    std::shared_ptr<State> state_;  // must outlive everything counted
 };
 
 }  // namespace contactd::server

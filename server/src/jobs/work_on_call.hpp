@@ -1,4 +1,4 @@
-// The job of a call in a worker.
+// Connects a call and its job in a worker.
 #pragma once
 
 #include <memory>

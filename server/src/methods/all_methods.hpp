@@ -1,4 +1,4 @@
-// Every method of the wire, by families.
+// Lists every method of the wire, by families.
 #pragma once
 
 #include "method_table.hpp"

@@ -1,4 +1,4 @@
-// All metrics of the daemon in one list.
+// Collects all metrics of the daemon in one list.
 #pragma once
 
 #include "daemon_parts.hpp"

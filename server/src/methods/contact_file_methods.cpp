@@ -1,4 +1,4 @@
-// contact_file.*: files of the CONTACT program, whose text comes in a message.
+// Implements contact_file.*: files of the CONTACT program, whose text comes in a message.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -15,7 +15,8 @@ namespace {
 
 using nlohmann::json;
 
-// Bytes for each character: lists of numbers, and values that cases keep, of which an answer has a bounded number.
+// Counts bytes for each character: lists of numbers, and values that cases keep, of which an answer has a bounded
+// number.
 constexpr double bytes_of_text = 30, bytes_of_cases = 150, most_bytes_of_cases = 1e8;
 constexpr double seconds_of_character = 1e-6;
 
@@ -46,7 +47,7 @@ WorkCost cost_of_cases(const json& params, const Config& config) {
     return cost;
 }
 
-constexpr std::size_t most_numbers = 500'000;  // of an answer with more than one case
+constexpr std::size_t most_numbers = 500'000;  // for an answer with more than one case
 
 /// Reads all cases, because each depends on earlier ones, and answers the requested ones, as many as fit into a message
 /// of moderate size.

@@ -1,4 +1,4 @@
-// contact_file.run and contact_file.convert: problems and answers of cases of the CONTACT program.
+// Implements contact_file.run and contact_file.convert: problems and answers of cases of the CONTACT program.
 #include <algorithm>
 #include <chrono>
 #include <memory>
@@ -49,10 +49,10 @@ std::unique_ptr<cases::CaseRun> continued_run(const json& params, FileRuns& runs
     return runs.take(params.at("run").get_ref<const std::string&>());
 }
 
-constexpr std::size_t most_numbers_of_run = 4'000'000;  // of an answer with more than one case
+constexpr std::size_t most_numbers_of_run = 4'000'000;  // for an answer with more than one case
 
 std::size_t numbers_of_outcome(const ContactFileOutcome& outcome) {
-    constexpr std::size_t arrays = 28;  // of the solution and of the patch
+    constexpr std::size_t arrays = 28;  // for the solution and the patch
     std::size_t count = 0;
     for (const ContactFilePatch& patch : outcome.patches) {
         count += arrays * patch.grid.size();

@@ -1,4 +1,4 @@
-// contact.*: solves, and stresses below the contact.
+// Implements contact.*: solves, and stresses below the contact.
 #include <algorithm>
 #include <array>
 #include <memory>
@@ -37,7 +37,7 @@ void solve(const CallPtr& call, const DaemonParts& parts) {
     check_answer_fits(std::array{array_answer(request.params)}, request.arrays, parts.config.limits);
     ++parts.counters.solves;
     ContactProblem problem = proto::decode_problem(request.params, request.frames);
-    proto::check_frames_used(request.params, request.frames);  // after those that are missing
+    proto::check_frames_used(request.params, request.frames);  // Comes after errors of missing fields.
     engine::check(problem);
     const auto job = job_of(call, "solve", parts.jobs);
     const auto reporter = std::make_shared<Reporter>(call, job);
@@ -84,7 +84,8 @@ SubsurfaceReply computed(const SubsurfaceRequest& request, Observer& observer) {
     return reply;
 }
 
-// The cost of a block: bytes of each point and of each offset of a point from an element, and seconds of each corner.
+// Describes the cost of a block: bytes of each point and of each offset of a point from an element, and seconds of each
+// corner.
 constexpr double bytes_of_stress = 8 * 14, bytes_of_invariants = 8 * 10, bytes_of_displacement = 8 * 6,
                  bytes_of_stress_offset = 8 * 40, seconds_of_corner = 1.5e-7,
                  curved_fields = 2;  // five loads for three
@@ -120,7 +121,7 @@ WorkCost cost_of_subsurface(const nlohmann::json& params, const Config& config) 
 void subsurface(const CallPtr& call, const DaemonParts& parts) {
     const SubsurfaceRequest request =
         proto::decode_subsurface_request(call->request.params, call->request.frames, parts.config.limits);
-    proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
+    proto::check_frames_used(call->request.params, call->request.frames);  // Comes after errors of missing fields.
     const auto job = job_of(call, "subsurface", parts.jobs);
     job->set_running();
     Reporter reporter(call, job);
@@ -133,7 +134,7 @@ void subsurface(const CallPtr& call, const DaemonParts& parts) {
 }
 
 WorkCost cost_of_temperature(const nlohmann::json& params, const Config& config) {
-    constexpr double bytes_of_element = 8 * 12, seconds_of_pair = 1.5e-9;  // of a source and an element behind it
+    constexpr double bytes_of_element = 8 * 12, seconds_of_pair = 1.5e-9;  // from a source to an element behind it
     check_grid_limit(params, config.max_grid_elements);
     const double elements = elements_of(params.at("grid"));
     return {bytes_beside + elements * bytes_of_element,
@@ -142,7 +143,7 @@ WorkCost cost_of_temperature(const nlohmann::json& params, const Config& config)
 
 void temperature(const CallPtr& call, const DaemonParts& parts) {
     const TemperatureRequest request = proto::decode_temperature_request(call->request.params, call->request.frames);
-    proto::check_frames_used(call->request.params, call->request.frames);  // after those that are missing
+    proto::check_frames_used(call->request.params, call->request.frames);  // Comes after errors of missing fields.
     const auto job = job_of(call, "temperature", parts.jobs);
     job->set_running();
     Reporter reporter(call, job);

@@ -24,7 +24,7 @@ constexpr int small_at_once = 16;
 struct SolveBatch;
 void conclude_check(SolveBatch& batch);
 
-/// Several problems of one call.
+/// Represents several problems of one call.
 struct SolveBatch : std::enable_shared_from_this<SolveBatch> {
     SolveBatch(CallPtr its_call, const DaemonParts& its_parts) : call(std::move(its_call)), parts(its_parts) {}
 

@@ -18,8 +18,9 @@ std::string joined(const json& parts) {
     return text;
 }
 
-/// Writes out what x-largest abbreviates: {"$repeat": n, "of": what} is a list of n, and {"$along": [from, to]} in what
-/// is repeated a number that goes from the one towards the other. {"$joined": [...]} is a text of parts.
+/// Expands the abbreviations of x-largest. {"$repeat": n, "of": value} is a list of n copies of `value`. A {"$along":
+/// [from, to]} inside `value` becomes a number that varies linearly over the list. {"$joined": [...]} is a text of
+/// several parts.
 json written_out(const json& node, double along) {
     json whole = node;
     if (node.is_array())

@@ -1,4 +1,4 @@
-// The parts of the daemon that methods use.
+// Holds the parts of the daemon that methods use.
 #pragma once
 
 #include "config/config.hpp"
@@ -15,7 +15,7 @@
 
 namespace contactd::server {
 
-/// The parts of the daemon, which Service owns.
+/// Refers to the parts of the daemon, which Service owns.
 struct DaemonParts {
     const Config& config;
     const Host& host;
@@ -24,7 +24,7 @@ struct DaemonParts {
     RequestMetrics& request_metrics;
     Health& health;
     engine::Engine& engine;
-    engine::IcService& ics;  ///< of the engine, as jobs
+    engine::IcService& ics;  ///< jobs of the engine
     engine::JobTable& jobs;
     SessionTable& sessions;
     RecentSolves& recent_solves;

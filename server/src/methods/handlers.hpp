@@ -1,4 +1,4 @@
-// The handlers of methods with a separate source file, which has the method's name.
+// Declares the handlers of methods with a separate source file, which has the method's name.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,4 @@
-// job.* and request.cancel: waiting and running work, and its cancellation.
+// Implements job.* and request.cancel: waiting and running work, and its cancellation.
 #include <chrono>
 #include <set>
 #include <string>

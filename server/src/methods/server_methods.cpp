@@ -1,4 +1,4 @@
-// server.* and health.watch: information about the daemon.
+// Implements server.* and health.watch: information about the daemon.
 #include <chrono>
 #include <string>
 #include <utility>

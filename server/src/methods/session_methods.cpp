@@ -1,4 +1,4 @@
-// session.*: the steps of a simulation.
+// Implements session.*: the steps of a simulation.
 #include <string>
 #include <utility>
 
@@ -75,7 +75,7 @@ void open(const CallPtr& call, const DaemonParts& parts) {
     proto::check_frames_used(call->request.params, call->request.frames);
     const auto lease = parts.sessions.lease(spec.lease_seconds);
     engine::check_opening({spec.setup, spec.load});
-    parts.sessions.check_room(session_bytes(spec.setup));  // before a build is started for it
+    parts.sessions.check_room(session_bytes(spec.setup));  // is checked before a build starts for it
     const auto specs = engine::specs_of(spec.setup);
     const bool needs = engine::needs_tables(spec.setup);
     auto prepare = [call, spec = std::move(spec), lease, &parts](const engine::IcAnswers& ics) {

@@ -18,11 +18,11 @@ using nlohmann::json;
 struct StepBatch;
 void check_limits(const StepBatch& batch);
 
-/// Several steps of one call.
+/// Represents several steps of one call.
 struct StepBatch {
     CallPtr call;
     const DaemonParts& parts;
-    std::vector<SessionPtr> sessions;  // null where there is none
+    std::vector<SessionPtr> sessions;  // null for steps without a session
     std::vector<proto::ResultOrStatus> results{sessions.size()};
     SharedCheck check{call, [this] { check_limits(*this); }};
     std::atomic<std::size_t> finished = 0;

@@ -22,7 +22,7 @@ void SharedCheck::check_members() {
     for (std::size_t index = next_++; index < members_.size(); index = next_++) {
         try {
             if (!violated_ && !members_.member_conforms(index)) violated_ = true;
-        } catch (const std::exception&) {  // no memory: check_params finds out
+        } catch (const std::exception&) {  // It does not fit into memory; check_params reports it.
             violated_ = true;
         }
         checked_.count_down();

@@ -1,4 +1,4 @@
-// The check of a message with many members, shared by the threads that process them.
+// Shares the check of a message with many members among the threads that process them.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// solves.*: the last solves, each reported to its user only.
+// Implements solves.*: the last solves, each reported to its user only.
 #include <chrono>
 
 #include "all_methods.hpp"

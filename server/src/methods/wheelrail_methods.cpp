@@ -1,4 +1,4 @@
-// wheelrail.*: wheels on their rails.
+// Implements wheelrail.*: wheels on their rails.
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,7 +20,7 @@ namespace {
 WheelRailSetup setup_of(const CallPtr& call) {
     const proto::Request& request = call->request;
     WheelRailSetup setup = proto::decode_wheel_rail_setup(request.params, request.frames);
-    proto::check_frames_used(request.params, request.frames);  // after those that are missing
+    proto::check_frames_used(request.params, request.frames);  // Comes after errors of missing fields.
     return setup;
 }
 

@@ -1,4 +1,4 @@
-// Versions of this daemon and its libraries.
+// Provides versions of this daemon and its libraries.
 #pragma once
 
 #include <map>

@@ -1,4 +1,5 @@
-// Counters of the daemon since its start, in addition to those of its engine; reported by server.info and as metrics.
+// Counts events of the daemon since its start, in addition to those of its engine; reported by server.info and as
+// metrics.
 #pragma once
 
 #include <atomic>

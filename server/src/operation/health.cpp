@@ -40,7 +40,7 @@ void Health::watch(const CallPtr& call) {
 std::string Health::not_ready() const {
     if (state() == HealthState::stopping) return "The daemon is shutting down.";
     if (!listening_) return "The daemon is starting.";
-    return {};  // without its store, too, it answers: from memory and with what it builds
+    return {};  // Without its store, it still answers from memory and by builds.
 }
 
 }  // namespace contactd::server

@@ -1,4 +1,4 @@
-// The state of the daemon and its watchers.
+// Reports the state of the daemon to its watchers.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-// The daemon's log: one line per event, as text or as a JSON object.
+// Writes the daemon's log: one line per event, as text or as a JSON object.
 #pragma once
 
 #include <spdlog/common.h>
@@ -38,13 +38,13 @@ class Log {
     std::shared_ptr<spdlog::sinks::dist_sink_mt> sinks_;
 };
 
-/// A line of the service or of its engine.
+/// Writes a line of the service or of its engine.
 void log_line(engine::LogLevel level, const std::string& line);
 
 using LogField = std::pair<std::string_view, nlohmann::json>;
 
-/// A message with fields: `message key=value key="value"` as text, members of the line's object as JSON. `message` is
-/// ours, not a client's.
+/// Writes a message with fields: `message key=value key="value"` as text, members of the line's object as JSON.
+/// `message` is the daemon's own text, not a client's.
 void log_event(spdlog::level::level_enum level, std::string_view message, std::initializer_list<LogField> fields);
 
 }  // namespace contactd::server

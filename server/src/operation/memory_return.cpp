@@ -12,13 +12,13 @@ namespace contactd::server {
 namespace {
 
 constexpr auto calm = std::chrono::milliseconds(300);
-constexpr double worth_it = 16 << 20;  // bytes: less is not missed
+constexpr double worth_it = 16 << 20;  // bytes; smaller amounts may stay allocated
 // After these times memory is returned once more, because the socket frees answers when a slow client has read them.
 constexpr std::array<std::chrono::seconds, 3> again_after{std::chrono::seconds(2), std::chrono::seconds(10),
                                                           std::chrono::seconds(60)};
 
 constexpr int smallest_end = 1 << 17, largest_end = 1 << 26, smallest_mapping = 1 << 25;  // bytes, those of glibc
-constexpr std::size_t noticed = 96 << 10;  // bytes that are freed before the allocator looks at the end of an arena
+constexpr std::size_t noticed = 96 << 10;  // bytes to free before the allocator checks the end of an arena
 
 /// Returns the end of this thread's arena to the system, because malloc_trim does that for the first arena only.
 void give_end_of_arena_back() {
@@ -27,7 +27,7 @@ void give_end_of_arena_back() {
     ::mallopt(M_TRIM_THRESHOLD, smallest_end);
     void* volatile const piece = std::malloc(noticed);
     std::free(piece);
-    // The allocator comes to these by itself under large arrays; since it was told one it learns no more.
+    // The allocator learns these values by itself from large arrays, but not after mallopt has set one of them.
     ::mallopt(M_TRIM_THRESHOLD, largest_end);
     ::mallopt(M_MMAP_THRESHOLD, smallest_mapping);
 }

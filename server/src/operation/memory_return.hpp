@@ -30,12 +30,12 @@ class MemoryReturn {
     const WorkBudget& budget_;
     WorkerPool& workers_;
     WorkerPool* others_ = nullptr;
-    double freed_ = 0;      // bytes, since memory was last given back
-    double seen_ = 0;       // of the budget's bytes so far
+    double freed_ = 0;      // bytes freed since memory was last returned
+    double seen_ = 0;       // bytes of the budget counted so far
     std::size_t kept_ = 0;  // at the last look
     Clock::time_point next_ = Clock::time_point::max();
     Clock::time_point quiet_since_ = Clock::time_point::max();
-    Clock::time_point again_ = Clock::time_point::max();  // after memory was given back
+    Clock::time_point again_ = Clock::time_point::max();  // checks after memory was returned
     std::size_t times_again_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace contactd::server {
 namespace {
 
-/// The time by which systemd tells a reload from an earlier one.
+/// Returns the time by which systemd distinguishes a reload from an earlier one.
 std::int64_t monotonic_microseconds() {
     timespec now{};
     ::clock_gettime(CLOCK_MONOTONIC, &now);
@@ -24,7 +24,7 @@ void notify(const std::string& state) {
 Notifier::Notifier() {
     std::uint64_t microseconds = 0;
     if (::sd_watchdog_enabled(0, &microseconds) > 0)
-        interval_ = std::chrono::milliseconds(microseconds / 1000 / 3);  // three chances before the time is up
+        interval_ = std::chrono::milliseconds(microseconds / 1000 / 3);  // allows three notifications within the time
 }
 
 void Notifier::ready(const std::string& status) const {

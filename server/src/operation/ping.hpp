@@ -7,13 +7,13 @@
 
 namespace contactd::server {
 
-/// Keys of an encrypted connection: the file with the daemon's public key, and that with an allowed pair. Both are
-/// empty for an unencrypted daemon.
+/// Names the keys of an encrypted connection: the file with the daemon's public key, and the file with an allowed pair.
+/// Both are empty for an unencrypted daemon.
 struct PingKeys {
     std::filesystem::path server, own;
 };
 
-/// "serving", "stopping", or the reason why there was no answer; `serving` is true for the first.
+/// Holds "serving", "stopping", or the reason why there was no answer; `serving` is true for the first.
 struct PingResult {
     bool serving;
     std::string text;

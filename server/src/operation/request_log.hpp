@@ -1,4 +1,4 @@
-// One line of the log per request.
+// Writes one line of the log per request.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace contactd::server {
 
-/// The log's line for an answer: enough to identify the request, without its content. Created before the answer is sent
-/// and written afterwards, so that the client does not wait for the log.
+/// Represents the log's line for an answer, with enough data to identify the request, but not its content. It is
+/// created before the answer is sent and written afterwards, so that the client does not wait for the log.
 struct RequestLine {
     std::string id, method, status;
     double milliseconds = 0;

@@ -1,4 +1,4 @@
-// Versions of the service and its libraries, which stored results can record.
+// Provides versions of the service and its libraries, which stored results can record.
 #pragma once
 
 #include <map>

@@ -86,9 +86,9 @@ struct InProcess::State {
     const Config config;
     std::mutex noting;
     std::atomic<unsigned long long> last_client = 0;
-    std::shared_mutex closing;  // shared by those who ask
+    std::shared_mutex closing;  // Each request holds a shared lock.
     bool closed = false;
-    Service service;  // last: its threads use what is above
+    Service service;  // is destroyed first, because its threads use everything above
 };
 
 namespace {
@@ -98,7 +98,7 @@ class OpenExchange final : public Exchange {
     OpenExchange(std::shared_ptr<void> owner, const DaemonParts& parts)
         : owner_(std::move(owner)), parts_(parts), spin_(parts.config.spin) {}
     ~OpenExchange() override {
-        if (::getpid() == process_) give_up();  // not in a process that was forked, where locks may be held for ever
+        if (::getpid() == process_) give_up();  // A forked process must not, because locks may stay locked there.
     }
     OpenExchange(const OpenExchange&) = delete;
     OpenExchange& operator=(const OpenExchange&) = delete;
@@ -130,9 +130,9 @@ class OpenExchange final : public Exchange {
     const int process_ = ::getpid();
     const std::shared_ptr<void> owner_;  // of the parts
     const DaemonParts& parts_;
-    std::chrono::microseconds spin_;  // once, when the answer is first waited for
+    std::chrono::microseconds spin_;  // is used once, at the first wait for the answer
     const std::shared_ptr<Messages> messages_ = std::make_shared<Messages>();
-    CallPtr call_;  // null of what could not be read
+    CallPtr call_;  // is null for an unreadable message
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// The service in process: messages as on the wire (docs/protocol.md), without a socket.
+// Runs the service in process, with messages as on the wire (docs/protocol.md) but without a socket.
 #pragma once
 
 #include <chrono>
@@ -13,12 +13,12 @@
 
 namespace contactd::server {
 
-/// One request and the messages that answer it, for the requesting thread. Destroying it before the answer cancels the
-/// request.
+/// Represents one request and the messages that answer it, for the requesting thread. Destroying it before the answer
+/// cancels the request.
 class Exchange {
    public:
     using Clock = std::chrono::steady_clock;
-    using Message = proto::Frames;  ///< the envelope, and the array frames behind it
+    using Message = proto::Frames;  ///< Holds the envelope and the array frames behind it.
 
     virtual ~Exchange() = default;
     /// Returns the next message: progress, or the answer, which is the last one; nothing if `until` passes first. A

@@ -127,7 +127,7 @@ bool Service::is_at_once(const Method& method, const CallPtr& call) {
 SessionPtr Service::session_of(const CallPtr& call) {
     const auto& params = call->request.params;
     const auto name = params.find("session");
-    if (name == params.end() || !name->is_string()) return nullptr;  // the schema says what is wrong
+    if (name == params.end() || !name->is_string()) return nullptr;  // The schema reports the error.
     return sessions_.find_open(name->get_ref<const std::string&>());
 }
 
@@ -145,7 +145,7 @@ void Service::attempt(const CallPtr& call, const std::function<void()>& work) {
 
 void Service::run(const Method* method, const CallPtr& call) {
     attempt(call, [&] {
-        proto::check_params(call->request.method, call->request.params);  // throws for a method that there is not
+        proto::check_params(call->request.method, call->request.params);  // throws for an unknown method
         if (method->is_immediate) proto::check_frames_used(call->request.params, call->request.frames);
         begin(*method, call);
     });

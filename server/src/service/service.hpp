@@ -1,4 +1,4 @@
-// The daemon without its socket: passes work to the methods and their threads.
+// Serves calls without a socket: passes work to the methods and their threads.
 #pragma once
 
 #include <atomic>
@@ -62,7 +62,7 @@ class Service {
     FileRuns file_runs_;
     WorkBudget budget_;
     const DaemonParts parts_;
-    WorkerPool workers_;  // last: its threads use everything above
+    WorkerPool workers_;  // is destroyed first, because its threads use everything above
 };
 
 }  // namespace contactd::server

@@ -10,8 +10,8 @@
 namespace contactd::server {
 namespace {
 
-// Beside the operators: gap, friction and tractions of the problem, as opened and as solved, and the state with what
-// was before it. Both with what layers and memory carry beside the tractions.
+// Counts, beside the operators, the gap, friction and tractions of the problem as opened and as solved, and of the
+// current and the previous state, including the state of layers and memory.
 constexpr std::size_t bytes_per_element_problem = 400, bytes_per_element_state = 184, bytes_beside = 8192;
 constexpr std::size_t bytes_per_element_table = 2 * 9 * sizeof(double);
 

@@ -1,4 +1,4 @@
-// Names that nobody can guess, because they give access.
+// Creates names that cannot be guessed, because they give access.
 #pragma once
 
 #include <array>

@@ -57,7 +57,7 @@ bool Session::try_run(const Work& work, WorkerPool& workers) {
 
 // Runs one piece of work at a time, so that the worker is free for others in between.
 void Session::post(Waiting next, WorkerPool& workers) {
-    next.ticket.abandoned = {};  // what waits behind it in the session would be so, too
+    next.ticket.abandoned = {};  // Otherwise the work behind it in the session would be abandoned, too.
     workers.post(std::move(next.ticket), [self = shared_from_this(), work = std::move(next.work), &workers] {
         work();
         self->run_next(workers);
@@ -78,7 +78,7 @@ void Session::run_next(WorkerPool& workers) {
 }
 
 void Session::drop_abandoned() {
-    std::deque<Waiting> dropped;  // destroyed after the lock: what they hold may be much
+    std::deque<Waiting> dropped;  // is destroyed after the lock is released, because it may hold much memory
     const std::scoped_lock lock(mutex_);
     const auto unwanted = std::stable_partition(waiting_.begin(), waiting_.end(), [](const Waiting& waiting) {
         return !waiting.ticket.abandoned || !waiting.ticket.abandoned();

@@ -1,4 +1,4 @@
-// A session: the numbered steps of one simulation, each of which starts from the end of the previous one.
+// Represents a session: the numbered steps of one simulation, each of which starts from the end of the previous one.
 #pragma once
 
 #include <chrono>
@@ -15,10 +15,11 @@
 
 namespace contactd::server {
 
-/// The state of a session: all data that a step passes to the next one. Immutable, so keeping a state saves it.
+/// Holds the state of a session: all data that a step passes to the next one. It is immutable, so keeping a state saves
+/// it.
 struct SessionState {
     std::shared_ptr<const engine::StepState> last;
-    std::shared_ptr<const engine::StepState> before;  ///< where the last step started; null when there was none
+    std::shared_ptr<const engine::StepState> before;  ///< start of the last step; null before the first one
     StepAnswer answer;
 };
 using SessionStatePtr = std::shared_ptr<const SessionState>;
@@ -71,8 +72,8 @@ class Session : public std::enable_shared_from_this<Session> {
     /// Returns the time since its last use; zero while it is in use.
     std::chrono::duration<double> idle(Clock::time_point now) const;
 
-    std::size_t bytes() const;        ///< what it takes in memory, about, with its states
-    std::size_t state_bytes() const;  ///< of the state where it is
+    std::size_t bytes() const;        ///< approximate memory, including its states
+    std::size_t state_bytes() const;  ///< approximate memory of the current state
 
    private:
     struct Waiting {

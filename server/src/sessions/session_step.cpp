@@ -78,7 +78,7 @@ void Session::solve_step(const std::shared_ptr<const engine::StepState>& before,
     const proto::Request& message = request.call->request;
     JobObserver observer(request.call, request.job,
                          [&](const Progress& progress) { request.report(to_job_progress(progress)); });
-    request.call->outlive_client();  // who reconnects asks for the step again, and finds it done
+    request.call->outlive_client();  // After a reconnection, a client requests the step again and gets its result.
     request.job->set_running();
     observer.throw_if_cancelled();
     proto::ArrayWriter arrays(message.arrays);

@@ -112,7 +112,7 @@ void SessionTable::bury(const std::string& name) {
 }
 
 void SessionTable::expire(Clock::time_point now) {
-    std::vector<SessionPtr> ended;  // closed and freed without the lock
+    std::vector<SessionPtr> ended;  // Is closed and freed without the lock.
     {
         const std::scoped_lock lock(mutex_);
         if (now < next_expiry_) return;

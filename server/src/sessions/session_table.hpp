@@ -1,4 +1,4 @@
-// The open sessions: their names, leases and limits.
+// Manages the open sessions: their names, leases and limits.
 #pragma once
 
 #include <cstddef>
@@ -61,7 +61,7 @@ class SessionTable {
     const SessionLimits& limits_;
     mutable std::mutex mutex_;
     std::map<std::string, SessionPtr, std::less<>> sessions_;
-    std::deque<std::string> expired_;  // the last ones, so that their users learn what happened
+    std::deque<std::string> expired_;  // keeps the last ones, so that their users learn the reason
     Clock::time_point next_expiry_ = Clock::time_point::max();
 };
 

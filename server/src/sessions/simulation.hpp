@@ -1,4 +1,4 @@
-// The simulation of a session: a contact, or a wheel on its rail.
+// Represents the simulation of a session: a contact, or a wheel on its rail.
 #pragma once
 
 #include <cstddef>
@@ -14,21 +14,21 @@
 
 namespace contactd::server {
 
-/// The answer to a step, kept for a repeated request.
+/// Holds the answer to a step, kept for a repeated request.
 struct StepAnswer {
-    std::size_t request = 0;                  ///< hash of what was asked
-    std::shared_ptr<const std::string> text;  ///< of the result, as JSON
+    std::size_t request = 0;                  ///< hash of the request
+    std::shared_ptr<const std::string> text;  ///< the result, as JSON
     proto::Frames frames;
 };
 
 /// A requested step.
 struct StepRequest {
-    const nlohmann::json& params;  ///< of session.step, which have passed their schema
-    const CallPtr& call;           ///< has the frames that they refer to
+    const nlohmann::json& params;  ///< parameters of session.step, which have passed their schema
+    const CallPtr& call;           ///< holds their frames
     const std::shared_ptr<Job>& job;
     std::function<void(const JobProgress&)> report;
-    std::function<void()> check_rest;             ///< of the request, once the step's own fields have been read
-    std::function<bool(const StepAnswer&)> send;  ///< false when nobody wants the answer any more
+    std::function<void()> check_rest;             ///< checks the request after the step's own fields were read
+    std::function<bool(const StepAnswer&)> send;  ///< returns false when no client waits for the answer any more
     RecentSolves& recent;
 };
 
@@ -41,7 +41,7 @@ class Simulation {
     virtual engine::StepState start() const = 0;
 
     struct Solved {
-        std::string text;  ///< of the result, as JSON
+        std::string text;  ///< the result, as JSON
         engine::StepState after;
     };
     /// Solves the step after `before`. Throws as the engine, and StatusError for a step of the other kind.
@@ -54,7 +54,7 @@ class Simulation {
     virtual std::size_t elements(const engine::StepState& state) const = 0;
     /// Returns whether a step takes about as long as waking a thread.
     virtual bool is_small() const = 0;
-    virtual std::size_t bytes() const = 0;  ///< of memory, about, with the state where it is when it starts
+    virtual std::size_t bytes() const = 0;  ///< approximate memory, including the state before the first step
     virtual std::size_t state_bytes(const engine::StepState& state) const = 0;  ///< of each state
 };
 

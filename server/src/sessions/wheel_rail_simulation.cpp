@@ -1,4 +1,4 @@
-// Sessions of a wheel on its rail.
+// Solves steps of sessions of a wheel on its rail.
 #include <algorithm>
 #include <utility>
 
@@ -9,8 +9,8 @@
 namespace contactd::server {
 namespace {
 
-// Bytes of a point of a profile, as given and in its curves; bytes of an element of a patch, in a state with its answer
-// and with the one before it.
+// These are bytes of a point of a profile, as given and in its curves, and bytes of an element of a patch, in a state
+// with its answer and in the previous state.
 constexpr std::size_t bytes_per_point = 400, bytes_per_element_state = 184, bytes_beside = 65536;
 constexpr std::size_t points_of_formulae = 2000;  // of what is generated
 

@@ -30,7 +30,7 @@ void add_evidence(RecentSolve& solve, const ContactSolution& solution) {
     solve.pmax = std::max(solve.pmax, solution.pmax);
 }
 
-/// The results of a solve on one grid.
+/// Holds the results of a solve on one grid.
 struct Part {
     const Grid& grid;
     const ContactSolution& solution;

@@ -1,4 +1,4 @@
-// The last solves: their summaries, and pressures within a memory budget.
+// Keeps the last solves: their summaries, and pressures within a memory budget.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@
 
 namespace contactd::server {
 
-/// Pressures on one grid, shape [ny, nx], in single precision, which is sufficient for a picture.
+/// Holds pressures on one grid, shape [ny, nx], in single precision, which is sufficient for a picture.
 struct RecentPatch {
     Grid grid;
     std::vector<float> pressure;  ///< (N/mm^2)
@@ -27,8 +27,8 @@ struct RecentPatch {
 using RecentPressures = std::shared_ptr<const std::vector<RecentPatch>>;
 
 struct RecentSolve {
-    std::uint64_t number = 0;  ///< of all solves since the start
-    std::string user;          ///< the only one it is reported to
+    std::uint64_t number = 0;  ///< counts all solves since the start
+    std::string user;          ///< the only user that may read it
     std::string method, id;    ///< of the request
     std::chrono::system_clock::time_point at;
     double seconds = 0;
@@ -39,7 +39,7 @@ struct RecentSolve {
     std::array<double, 3> forces{};   ///< Fx, Fy, Fn on the upper body; of wheels Fx, Fy, Fz on the rails
     double pmax = 0;                  ///< (N/mm^2)
     std::optional<Grid> grid;         ///< of a contact
-    RecentPressures pressures;        ///< null where there is none, or no room
+    RecentPressures pressures;        ///< null without pressures, or without memory for them
     std::size_t pressures_bytes = 0;  ///< what these take, about
 };
 

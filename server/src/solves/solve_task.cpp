@@ -13,7 +13,7 @@ namespace {
 
 using engine::IcAnswers;
 
-/// A task and the tables of its bodies.
+/// Holds a task and the tables of its bodies.
 struct Solve {
     SolveTask task;
     engine::Engine& engine;

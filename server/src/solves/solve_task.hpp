@@ -1,4 +1,4 @@
-// One contact problem in the daemon: first the tables of its bodies are fetched, then a worker solves it.
+// Solves one contact problem in the daemon: first the tables of its bodies are fetched, then a worker solves it.
 #pragma once
 
 #include <functional>
@@ -13,7 +13,7 @@
 
 namespace contactd::server {
 
-/// The parts of the daemon needed for solves.
+/// Refers to the parts of the daemon needed for solves.
 struct SolveTools {
     engine::Engine& engine;
     WorkerPool& workers;
@@ -22,15 +22,15 @@ struct SolveTools {
 };
 
 struct SolveTask {
-    CallPtr call;              ///< hears of builds, and ends the solve by having been answered
+    CallPtr call;              ///< receives progress of builds; the solve ends if it is answered
     ContactProblem problem;    ///< valid
-    std::shared_ptr<Job> job;  ///< ends the solve by being cancelled
+    std::shared_ptr<Job> job;  ///< the solve ends if it is cancelled
     std::function<void(const Progress&)> progress;
     /// Exactly one of them is called, from any thread; exceptions of `done` go to `failed`.
     std::function<void(const SolveReply&)> done;
     std::function<void(const proto::Status&)> failed;
-    double bytes = 0;  ///< that the call holds, and gives back while it waits for a build; 0: those of others, too
-    bool in_caller = false;  ///< the calling thread, a worker, may solve it itself
+    double bytes = 0;  ///< bytes that the call holds, and releases while it waits for a build; 0: shared with others
+    bool in_caller = false;  ///< true if the calling thread is a worker that may solve it
 };
 
 /// Returns immediately, unless the calling thread solves the task.

@@ -58,7 +58,7 @@ AnsweringSocket::AnsweringSocket(zmq::context_t& context, const AccessControl& a
 void AnsweringSocket::bind(const std::string& endpoint) {
     // ZeroMQ removes any file at the path, even the socket of a running daemon.
     if (const std::string problem = socket_file_problem(endpoint); !problem.empty()) throw Error(problem);
-    const mode_t previous = ::umask(0077);  // an ipc socket is for this user only
+    const mode_t previous = ::umask(0077);  // Makes an ipc socket accessible to this user only.
     try {
         socket_.bind(endpoint);
         ::umask(previous);
@@ -90,7 +90,7 @@ bool AnsweringSocket::wait(int descriptor, std::span<void* const> others, long m
     int ready = 0;
     for (const auto end = received_ + spin_; ready == 0 && milliseconds != 0 && Clock::now() < end;) {
         ready = ::poll(items.data(), items.size(), 0);
-        if (ready == 0) std::this_thread::yield();  // to a worker that has no processor
+        if (ready == 0) std::this_thread::yield();  // Gives way to a worker without a processor.
     }
     if (ready == 0) ready = ::poll(items.data(), items.size(), static_cast<int>(milliseconds));
     held_.lock();
@@ -101,7 +101,7 @@ std::optional<Message> AnsweringSocket::receive() {
     zmq::message_t part;
     if (!socket_.recv(part, zmq::recv_flags::dontwait)) return std::nullopt;
     Message message{{part.to_string(), false, access_.user_of(part)}, zmq_msg_get(part.handle(), ZMQ_SRCFD), {}, {}};
-    std::size_t count = 0;  // of the parts behind the identity and the empty one of a REQ socket
+    std::size_t count = 0;  // counts the frames behind the identity and the empty frame of a REQ socket
     for (bool more = part.more(); more;) {
         if (!socket_.recv(part, zmq::recv_flags::none)) break;
         more = part.more();

@@ -1,4 +1,4 @@
-// The ROUTER socket with its lock and its outbox: receives requests, and sends answers from any thread.
+// Wraps the ROUTER socket with its lock and its outbox: receives requests, and sends answers from any thread.
 #pragma once
 
 #include <chrono>
@@ -21,12 +21,12 @@
 
 namespace contactd::server {
 
-/// A received message and its parts.
+/// Holds a received message and its parts.
 struct Message {
     Route route;
-    int connection = -1;  ///< the file descriptor it came through
+    int connection = -1;  ///< file descriptor of its connection
     std::string envelope;
-    proto::Frames frames;  ///< behind the envelope; of too many one more than allowed, for who checks limits
+    proto::Frames frames;  ///< follow the envelope; one more than allowed if there are too many, for the limit check
 };
 
 /// Belongs to the thread that creates it, which holds the lock except while it waits. Another thread with an answer
@@ -92,8 +92,8 @@ class AnsweringSocket {
     std::optional<SocketFile> file_;  // ZeroMQ leaves it
     Outbox outbox_;
     bool wakes_at_answers_ = false;
-    Clock::time_point sent_{};      // when the last answer went out
-    Clock::time_point received_{};  // when the last message came
+    Clock::time_point sent_{};      // time when the last answer was sent
+    Clock::time_point received_{};  // time when the last message arrived
 };
 
 }  // namespace contactd::server

@@ -1,4 +1,4 @@
-// Connected clients, and clients that have disconnected.
+// Tracks connected clients, and clients that have disconnected.
 #pragma once
 
 #include <string>

@@ -26,7 +26,7 @@ ConnectionMonitor::~ConnectionMonitor() {
 }
 
 void ConnectionMonitor::read() {
-    // Two frames: event (16 bits) and its value (32 bits, here the file descriptor), then an address.
+    // Reads two frames: the event (16 bits) with its value (32 bits, here the file descriptor), then an address.
     zmq::message_t frame;
     while (events_.recv(frame, zmq::recv_flags::dontwait)) {
         std::uint16_t event = 0;

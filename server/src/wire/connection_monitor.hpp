@@ -1,4 +1,4 @@
-// Connected clients, from ZeroMQ's socket events.
+// Tracks connected clients by ZeroMQ's socket events.
 #pragma once
 
 #include <string>

@@ -18,7 +18,7 @@ std::size_t bytes_of(const Answer& answer) {
     return bytes;
 }
 
-/// A frame that ZeroMQ sends without a copy, and the counter of its bytes.
+/// Holds a frame that ZeroMQ sends without a copy, and the counter of its bytes.
 struct KeptFrame {
     proto::Frame frame;
     std::shared_ptr<const void> counted;

@@ -1,4 +1,4 @@
-// Bytes of unfinished messages, which ZeroMQ buffers without limit.
+// Limits the bytes of unfinished messages, which ZeroMQ buffers without limit.
 #pragma once
 
 #include <chrono>
@@ -29,8 +29,8 @@ class UnfinishedInput {
 
    private:
     struct Connection {
-        std::uint64_t received = 0;      ///< all bytes, at the last look
-        std::uint64_t accounted = 0;     ///< of these, bytes of messages that came whole
+        std::uint64_t received = 0;      ///< all bytes at the last check
+        std::uint64_t accounted = 0;     ///< bytes of complete messages among them
         bool sent_whole_message = true;  ///< since the last look
     };
     using Connections = std::unordered_map<int, Connection>;  // by file descriptor

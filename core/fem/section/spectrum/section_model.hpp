@@ -1,4 +1,4 @@
-// A section by finite elements: what loads on its strips do to its strips at a wavenumber.
+// Models a section by finite elements: the displacements of its strips under loads on them at a wavenumber.
 #pragma once
 
 #include <memory>
@@ -9,18 +9,20 @@
 
 namespace contactd::fem {
 
-/// One wavenumber's part of a StripSpectrum, symmetric.
+/// Holds the part of a StripSpectrum at one wavenumber, which is symmetric.
 struct WaveResponse {
     std::vector<double> values;     ///< a >= b at a (a + 1)/2 + b
-    double reciprocity_defect = 0;  ///< largest |A - A'| before it was made symmetric
+    double reciprocity_defect = 0;  ///< largest |A - A'| before symmetrisation
 };
 
 class SectionModel {
    public:
-    /// Lengths over ds, G = 1. `mesh` may serve models of several orders up to that it was made with.
+    /// Lengths are divided by ds, and G = 1. `mesh` may serve models of several orders, up to the order it was made
+    /// with.
     SectionModel(const SectionOutline& outline, const SectionMesh& mesh, int order, double nu);
 
-    /// Throws NotConverged when the matrix is not positive definite to rounding: nothing holds the body at xi = 0.
+    /// Throws NotConverged if the matrix is not positive definite to rounding, because nothing holds the body at xi =
+    /// 0.
     WaveResponse at(double xi);
 
     long long unknowns() const { return matrices_.pattern().size(); }

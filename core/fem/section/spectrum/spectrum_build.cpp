@@ -19,25 +19,24 @@ namespace {
 using std::numbers::pi;
 
 constexpr int finest_order = 6, most_refinements = 2, most_nodes = 129;
-/// Shares of the requested accuracy that each kind of error may take.
+/// Each kind of error may use this share of the requested accuracy.
 constexpr double mesh_share = 0.4, wavenumber_share = 0.35, end_share = 0.25;
-/// Expected of a mesh, and of its matrices (s).
+/// These are the expected times of a mesh and of its matrices (s).
 constexpr double mesh_seconds = 2;
 constexpr std::size_t nodes_in_reserve = 10;
 constexpr double last_wavenumber = 6, farthest_wavenumber = 50;
-/// Changes of the transform, over its largest value, up to the second wavenumber and up to an eighth of xi0: beyond
-/// them it may fall, and does fall, at smaller wavenumbers than those of the body's size.
+/// These limit changes of the transform, relative to its largest value, up to the second wavenumber and up to an eighth
+/// of xi0. Beyond these limits it may decrease at smaller wavenumbers than those of the body's size.
 constexpr double doubtful_change = 0.8, probe = 1.0 / 8, most_change = 0.2;
 
-/// Lengths of elements over ds at which errors are looked for, from the shortest to the longest of those that are
-/// served.
+/// Errors are checked at these lengths of elements, divided by ds, from the shortest to the longest length served.
 constexpr std::array lengths{shortest_uniform_element, 1.0, 2.0, 8.0};
 using ByLength = std::array<double, lengths.size()>;
-/// Offsets at which errors of a table are looked for: of elements as long as they are wide, and of others.
+/// Errors of a table are checked at these offsets, for elements as long as they are wide and for others.
 constexpr int offsets_looked_at = 64, offsets_of_others = 16;
 
-/// The share of the transform of an element dx long that each of some wavenumbers stands for, when what is between them
-/// is linear in asinh(xi/xi0), and falls as 1/xi^2 beyond the last of them.
+/// Returns the share of the transform of an element dx long that each of these wavenumbers represents, if the transform
+/// is linear in asinh(xi/xi0) between them and decreases as 1/xi^2 beyond the last.
 std::vector<double> shares(const std::vector<double>& wavenumbers, double xi0, double dx) {
     std::vector<double> result(wavenumbers.size(), 0);
     constexpr int steps = 200;
@@ -82,8 +81,8 @@ class Builder {
             attempt();
             state_errors();
             if (is_small(mesh_error_, mesh_share)) break;
-            // Elements of the next order gain the most; where they do not, corners and ends of supports need smaller
-            // ones.
+            // Elements of the next order reduce the error most; otherwise, corners and ends of supports need smaller
+            // elements.
             if (level_.order < finest_order)
                 ++level_.order;
             else if (missed() > accuracy_ && refinements_ < most_refinements)
@@ -113,7 +112,7 @@ class Builder {
         result_.mesh_seconds = meshed - start;
         result_.setup_seconds = MPI_Wtime() - meshed;
         const double solving = MPI_Wtime();
-        // A length of the body, beyond which little changes with the wavenumber.
+        // Returns a length of the body, beyond which changes with the wavenumber are small.
         constexpr double share_of_body = 0.4;
         const double xi0 = share_of_body / divided.extent;
         sample(model, xi0);
@@ -132,7 +131,8 @@ class Builder {
         result_.solve_seconds = MPI_Wtime() - solving;
     }
 
-    /// Computes the transform at the wavenumbers of the first level, of a body of which little changes below xi0.
+    /// Computes the transform at the wavenumbers of the first level, for a body whose transform changes little below
+    /// xi0.
     void sample(SectionModel& model, double xi0) {
         defects_.clear();
         StripSpectrum& spectrum = result_.spectrum;
@@ -144,14 +144,14 @@ class Builder {
         const int steps = (level_.nodes - 1) / 2,
                   more = static_cast<int>(std::ceil(steps * (range(spectrum.xi0) / range(xi0) - 1)));
         spectrum.nodes = wavenumber_nodes(spectrum.xi0, last_wavenumber, level_.nodes + 2 * more);
-        // With room for refinement, so that values need not move; what is not filled takes no memory.
+        // Reserves room for refinement, so that values need not move; unused room takes no memory.
         spectrum.values.clear();
         spectrum.values.reserve((2 * spectrum.nodes.size() + nodes_in_reserve) * spectrum.component_size());
         spectrum.values.resize(spectrum.nodes.size() * spectrum.component_size());
         respond(model, spectrum.nodes, spectrum.values.data(), 1, 0.1, 0.55);
     }
 
-    /// Returns the largest change from one set of responses to the next, over the largest of the first.
+    /// Returns the largest change from one set of responses to the next, divided by the largest value of the first.
     static double change(const double* values, std::size_t size) {
         double largest = 0, changed = 0;
         for (std::size_t at = 0; at < size; ++at) {
@@ -161,8 +161,8 @@ class Builder {
         return changed / largest;
     }
 
-    /// Returns the share of xi0 below which little changes. Bodies change at wavenumbers of their own size, but for
-    /// those that little holds: a disc turns about its core as a long shaft does.
+    /// Returns the share of xi0 below which changes are small. Bodies change at wavenumbers of their own size, except
+    /// weakly held ones: a disc turns about its core like a long shaft.
     double find_slowness(SectionModel& model, double xi0) {
         constexpr int most_steps = 8;
         constexpr double nearly_all = 0.99;
@@ -173,7 +173,7 @@ class Builder {
             respond(model, {0, probe * share * xi0}, values.data(), 1, 0.05, 0.1);
             const double changed = std::min(change(values.data(), size), nearly_all);
             if (changed <= most_change) break;
-            share *= probe * std::sqrt((1 - changed) / changed);  // where 1/(1 + (xi/xi0)^2), as of shafts, is a half
+            share *= probe * std::sqrt((1 - changed) / changed);  // where 1/(1 + (xi/xi0)^2), as of shafts, equals 1/2
         }
         return share;
     }
@@ -204,12 +204,12 @@ class Builder {
             {.stage = stage, .fraction = fraction, .step_seconds = step_seconds, .step_fraction = fraction});
     }
 
-    /// Writes the responses at wavenumbers in order to every `stride`-th place from `values` on; each process computes
-    /// every so many of them.
+    /// Writes the responses at successive wavenumbers to every `stride`-th place from `values` on; the processes take
+    /// turns.
     void respond(SectionModel& model, const std::vector<double>& wavenumbers, double* values, std::size_t stride,
                  double from, double to) {
         const std::size_t size = result_.spectrum.component_size();
-        // Factorisation and forward solves, at the rate of a slow machine.
+        // Estimates factorisation and forward solves at the rate of a slow machine.
         constexpr double rate = 1e9, solves_a_factor = 100;
         const double step_seconds = (model.factor().operations() + solves_a_factor * model.factor().entries()) / rate;
         const auto processes = static_cast<std::size_t>(processes_);
@@ -253,7 +253,7 @@ class Builder {
         return result;
     }
 
-    /// The largest of all lengths.
+    /// Returns the largest of all lengths.
     void state_errors() {
         SpectrumErrors& errors = result_.errors;
         for (std::size_t i = 0; i < lengths.size(); ++i) {
@@ -262,8 +262,8 @@ class Builder {
         }
     }
 
-    /// Returns the error that has to be within the accuracy. Strips beside an edge are not reciprocal whatever the
-    /// mesh: where that alone misses the accuracy, a warning tells it.
+    /// Returns the error that must be within the accuracy. Strips beside an edge are not reciprocal on any mesh. If
+    /// only this error exceeds the accuracy, a warning reports it.
     double missed() const { return result_.errors.numerical(); }
 
     void require_accuracy() const {
@@ -279,7 +279,7 @@ class Builder {
         throw NotConverged(text.data());
     }
 
-    /// Further wavenumbers where what lies beyond the last one matters: strips at an edge.
+    /// Adds wavenumbers if the part beyond the last one matters, as for strips at an edge.
     void extend(SectionModel& model) {
         StripSpectrum& spectrum = result_.spectrum;
         for (;;) {
@@ -298,7 +298,7 @@ class Builder {
     }
 
     ByLength wavenumber_error() const {
-        constexpr double gain = 8;  // sixteen for cubic splines where steps are small; the first ones are large
+        constexpr double gain = 8;  // sixteen for cubic splines with small steps; the first steps are large
         ByLength result;
         for (std::size_t i = 0; i < lengths.size(); ++i) {
             const int offsets = lengths[i] == 1 ? offsets_looked_at : offsets_of_others;
@@ -337,7 +337,7 @@ class Builder {
         SectionModel finer(outline_, mesh, level_.order + 1, nu_);
         std::vector<double> values(wavenumbers.size() * size);
         respond(finer, wavenumbers, values.data(), 1, 0.6, 0.75);
-        // Some of the error is left at the higher order, most of it at corners.
+        // Part of the error remains at the higher order, mostly at corners.
         constexpr double left = 1.5;
         const ByLength scale = scales();
         for (std::size_t length = 0; length < lengths.size(); ++length) {

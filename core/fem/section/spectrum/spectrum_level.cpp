@@ -5,7 +5,7 @@
 namespace contactd::fem {
 namespace {
 
-/// Elements of order three lock from this Poisson's ratio on.
+/// Elements of order three lock above this Poisson's ratio.
 constexpr double nearly_incompressible = 0.4;
 
 double length_of(const BoundaryEdge& edge, const DividedOutline& outline) {
@@ -14,9 +14,10 @@ double length_of(const BoundaryEdge& edge, const DividedOutline& outline) {
     return std::hypot(a.y - b.y, a.z - b.z);
 }
 
-/// Behind each edge triangles grow towards the middle of the body, which is as thick as its area over its outline.
+/// Behind each edge, triangles grow towards the middle of the body, whose thickness is its area divided by the length
+/// of its outline.
 double triangles_of(const DividedOutline& outline, const MeshDensity& density) {
-    constexpr double a_growing_edge = 8.4;  // with all that is behind it, where there is no other side; measured
+    constexpr double a_growing_edge = 8.4;  // includes all layers behind it, if there is no other side; measured
     double around = 0, area = 0;
     for (const BoundaryEdge& edge : outline.edges) {
         const PlanePoint &a = outline.vertices[static_cast<std::size_t>(edge.first)],
@@ -36,7 +37,7 @@ double triangles_of(const DividedOutline& outline, const MeshDensity& density) {
 }  // namespace
 
 SpectrumLevel first_level(double accuracy, double nu) {
-    const bool stiff = nu > nearly_incompressible;  // against a change of volume, which takes finer elements
+    const bool stiff = nu > nearly_incompressible;  // resists changes of volume, which require finer elements
     if (accuracy >= 5e-3) return stiff ? SpectrumLevel{4, 3, 13, 1e-2} : SpectrumLevel{3, 4, 13, 1e-2};
     if (accuracy >= 5e-4) return {4, stiff ? 6 : 4, 21, 1e-3};
     return {5, stiff ? 6 : 4, 25, 1e-4};
@@ -57,12 +58,12 @@ SpectrumSize predicted_spectrum(const SectionOutline& outline, double nu, double
     const double p = level.order, triangles = triangles_of(divided, density),
                  edges = static_cast<double>(divided.edges.size());
     SpectrumSize size;
-    // Nodes on vertices, edges and in triangles, by Euler's formula; each has three unknowns.
+    // Counts nodes on vertices, edges and in triangles, by Euler's formula; each has three unknowns.
     size.unknowns = 3 * (triangles * p * p / 2 + edges * p / 2 + 1);
-    // Measured: two models, of this order and of the next one. Rows get longer with the order.
+    // These are measured for two models, of this order and of the next one. Rows become longer with the order.
     constexpr double per_unknown = 1.2e3, shortest_row = 2.7;
     size.model_bytes = per_unknown * (p + shortest_row) * size.unknowns;
-    const double n = 3.0 * outline.strips, copies = 4;  // found, kept, written, and sent to other processes
+    const double n = 3.0 * outline.strips, copies = 4;  // computed, kept, written, and sent to others
     size.spectrum_bytes = copies * sizeof(double) * level.nodes * n * (n + 1) / 2;
     return size;
 }

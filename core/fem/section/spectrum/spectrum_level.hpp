@@ -1,28 +1,30 @@
-// Mesh and wavenumbers for an accuracy, and their cost.
+// Chooses mesh and wavenumbers for an accuracy, and predicts their cost.
 #pragma once
 
 #include "section/boundary_edges.hpp"
 
 namespace contactd::fem {
 
-/// Found good by measurement on rails, edges, grooves and layers (docs/sections.md).
+/// Measurements on rails, edges, grooves and layers showed that these are sufficient (docs/sections.md).
 struct SpectrumLevel {
     int order, edges_a_strip, nodes;
     double corner_share;
 };
 
-/// That is tried first; `nu` near 0.5 takes finer meshes of order 4 at least.
+/// Returns the level that is tried first; `nu` near 0.5 requires finer meshes of order 4 or higher.
 SpectrumLevel first_level(double accuracy, double nu);
 
-/// The mesh that build_spectrum begins with for an accuracy: the order of its elements grows first, then their number.
+/// Returns the mesh with which build_spectrum begins for an accuracy. The order of its elements grows first, then their
+/// number.
 MeshDensity density_for(double accuracy, double nu);
 
-/// At the first level, from the divided outline alone: of eighteen sections of all kinds unknowns came out between 1
-/// and 1.4 times those of gmsh's mesh, of seven memory between 1.05 and 1.3 times what builders took.
+/// Predicts the cost of the first level from the divided outline alone. For eighteen sections of all kinds, predicted
+/// unknowns were between 1 and 1.4 times those of gmsh's mesh. For seven, predicted memory was between 1.05 and 1.3
+/// times that of builders.
 struct SpectrumSize {
     double unknowns = 0;
-    double model_bytes = 0;     ///< of a process: matrices and factors, of the next order, too
-    double spectrum_bytes = 0;  ///< of a process: the transform, and what is made of it
+    double model_bytes = 0;     ///< per process: matrices and factors, including those of the next order
+    double spectrum_bytes = 0;  ///< per process: the transform, and results derived from it
 };
 SpectrumSize predicted_spectrum(const SectionOutline& outline, double nu, double accuracy);
 

@@ -19,7 +19,7 @@ class Gatherer {
    public:
     explicit Gatherer(const WaveMatrices& matrices) : matrices_(matrices) {}
 
-    /// Shape functions at a point of an edge, times `weight`, along the three directions.
+    /// Returns shape functions at a point of an edge, times `weight`, along the three directions.
     void add(const EdgeElement& edge, double t, const PlanePoint& normal, double weight) {
         const mfem::FiniteElement& element = *matrices_.space().GetFE(edge.element);
         mfem::Vector shape(element.GetDof());

@@ -38,7 +38,7 @@ struct WaveFactor::Library {
 
 namespace {
 
-/// A range of columns, [low, high).
+/// Describes a range of columns, [low, high).
 struct Range {
     int low = 0, high = 0;
     int width() const { return high - low; }
@@ -48,8 +48,8 @@ struct Range {
     }
 };
 
-/// CHOLMOD's supernodal factor: supernode s holds the columns first(s)..first(s+1)-1 as a dense block by columns, whose
-/// rows are these columns themselves, and then those below.
+/// Describes CHOLMOD's supernodal factor: supernode s contains the columns first(s)..first(s+1)-1 as a dense block by
+/// columns, whose rows are first these columns themselves, and then those below.
 class Supernodes {
    public:
     explicit Supernodes(const cholmod_factor& factor)
@@ -80,7 +80,7 @@ class Supernodes {
 
 }  // namespace
 
-/// X = L^-1 P B. The rows of a supernode are kept for its range of columns only, one row behind the other.
+/// Holds X = L^-1 P B. The rows of a supernode are stored row by row, for its range of columns only.
 class WaveFactor::Forward {
    public:
     Forward(const Supernodes& nodes, const std::vector<int>& place, const SparseColumns& right) : nodes_(nodes) {
@@ -105,7 +105,7 @@ class WaveFactor::Forward {
         begin_.resize(nodes_.count());
         std::size_t size = 0;
         for (int s = 0; s < nodes_.count(); ++s) {
-            // The supernode of the first row below has all the rows below among its own.
+            // The supernode of the first row below contains all the rows below.
             if (nodes_.rows(s) > nodes_.columns(s))
                 ranges_[nodes_.of_row(nodes_.row_numbers(s)[nodes_.columns(s)])].include(ranges_[s]);
             begin_[s] = size;
@@ -124,7 +124,7 @@ class WaveFactor::Forward {
                   below = rows - columns;
         const double one = 1, zero = 0;
         double* block = values_.data() + begin_[s];
-        // Rows one behind the other are the transposed block by columns.
+        // Consecutive rows are the transposed block by columns.
         dtrsm_("R", "L", "T", "N", &width, &columns, &one, nodes_.block(s), &rows, block, &width);
         if (below == 0) return;
         change_.resize(static_cast<std::size_t>(below) * width);

@@ -1,5 +1,5 @@
-// The products O' K^-1 B for sparse B and O, by one Cholesky factor and two forward solves: (L^-1 O)' (L^-1 B). Of each
-// supernode only those columns are touched whose loads lie below it in the elimination tree.
+// Computes the products O' K^-1 B for sparse B and O, by one Cholesky factor and two forward solves: (L^-1 O)' (L^-1
+// B). Each supernode processes only columns whose loads are below it in the elimination tree.
 #pragma once
 
 #include <memory>
@@ -20,10 +20,10 @@ class WaveFactor {
     double operations() const;  ///< of a factorisation
     double entries() const;     ///< of the factor
 
-    /// Throws NotConverged when the matrix is not positive definite to rounding.
+    /// Throws NotConverged if the matrix is not positive definite to rounding.
     void factorise(std::vector<double> values);
 
-    /// observations' K^-1 loads, [observation + load * observations].
+    /// Returns observations' K^-1 loads, [observation + load * observations].
     std::vector<double> response(const SparseColumns& observations, const SparseColumns& loads) const;
 
    private:

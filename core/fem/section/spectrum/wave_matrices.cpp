@@ -8,7 +8,7 @@ namespace {
 
 using Matrix = Eigen::MatrixXd;
 
-/// Integrals of products of shape functions, N, and their derivatives along y and z.
+/// Holds integrals of products of shape functions, N, and their derivatives along y and z.
 struct ElementIntegrals {
     Matrix NN, Ny, Nz, yy, yz, zz;  ///< Ny(a, b): of N_a dN_b/dy; yz(a, b): of dN_a/dy dN_b/dz
 };
@@ -18,7 +18,7 @@ class Integrator {
     explicit Integrator(const mfem::FiniteElementSpace& space)
         : space_(space),
           element_(*space.GetFE(0)),
-          // The Jacobian of a curved triangle adds as much again as straight ones need.
+          // Curved triangles need this in addition, because of their Jacobian.
           rule_(mfem::IntRules.Get(mfem::Geometry::TRIANGLE, 2 * element_.GetOrder() + 2)) {
         const int nodes = element_.GetDof(), points = rule_.GetNPoints();
         N_.resize(nodes, points);
@@ -56,7 +56,7 @@ class Integrator {
     std::vector<mfem::DenseMatrix> derivatives_;
 };
 
-/// The 3x3 blocks of K0, K1 and K2 for the nodes a and b of an element.
+/// Returns the 3x3 blocks of K0, K1 and K2 for the nodes a and b of an element.
 struct Blocks {
     Eigen::Matrix3d k0, k1, k2;
 

@@ -1,4 +1,4 @@
-// Elasticity of a body that is uniform along x, under loads that go as cos(xi x) or sin(xi x).
+// Assembles the elasticity of a body that is uniform along x, under loads proportional to cos(xi x) or sin(xi x).
 //
 // With u_x = w sin(xi x), u_y = v cos(xi x), u_z = t cos(xi x) the strains are e_xx = xi w, e_yy = v_y, e_zz = t_z,
 // g_yz = v_z + t_y (times cos) and g_xy = w_y - xi v, g_xz = w_z - xi t (times sin). The energy of
@@ -12,23 +12,23 @@
 
 namespace contactd::fem {
 
-/// The lower triangle of a symmetric matrix by columns, rows ascending: the pattern that all wavenumbers share.
+/// Holds the lower triangle of a symmetric matrix by columns, rows ascending: the pattern of all wavenumbers.
 struct LowerPattern {
-    std::vector<int> begin;  ///< of each column, and the number of entries
+    std::vector<int> begin;  ///< start of each column, and the number of entries
     std::vector<int> row;
     int size() const { return static_cast<int>(begin.size()) - 1; }
 };
 
 class WaveMatrices {
    public:
-    /// G = 1. Nodes on clamped edges are left out.
+    /// G = 1. Nodes on clamped edges are omitted.
     WaveMatrices(const SectionMesh& mesh, int order, double nu);
 
     const LowerPattern& pattern() const { return pattern_; }
     std::vector<double> at(double xi) const;
 
     const mfem::FiniteElementSpace& space() const { return *space_; }
-    /// Returns the first of the three unknowns w, v, t of a scalar node; -1 when it is clamped.
+    /// Returns the first of the three unknowns w, v, t of a scalar node, or -1 if it is clamped.
     int unknown(int node) const { return number_[static_cast<std::size_t>(node)] < 0 ? -1 : 3 * number_[node]; }
 
    private:

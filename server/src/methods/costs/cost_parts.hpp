@@ -1,11 +1,11 @@
-// Parts of a request from which costs are computed. The params have been checked against their schema.
+// Extracts parts of a request from which costs are computed. The params have been checked against their schema.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 namespace contactd::server {
 
-constexpr double bytes_beside = 1e6;  // of a call, whatever it asks
+constexpr double bytes_beside = 1e6;  // for any call
 constexpr double seconds_of_offset = 1e-6, seconds_of_layered_offset = 4e-5, seconds_of_creep = 2e-5;
 
 /// Counts the elements of a grid.

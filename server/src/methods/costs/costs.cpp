@@ -15,22 +15,23 @@ using nlohmann::json;
 
 namespace {
 
-// Bytes for each element, measured as the growth of a daemon (tests/integration/test_bounds.py holds them to that).
-constexpr double bytes_of_normal = 600;          // normal contact: a table, its symbols, and the solver's arrays
+// These are bytes for each element, measured as the growth of a daemon; tests/integration/test_bounds.py checks them.
+constexpr double bytes_of_normal = 600;          // normal contact: a table, its symbols, and arrays of the solver
 constexpr double bytes_of_tangential = 1700;     // friction, too
-constexpr double bytes_of_rolling = 2600;        // and what a step of rolling changes
+constexpr double bytes_of_rolling = 2600;        // in addition, the changes over a step of rolling
 constexpr double bytes_of_simplified = 400;      // closed forms, which have fields and no operators
 constexpr double bytes_of_answer = 150;          // all fields, as arrays of an answer and its frames
-constexpr double bytes_of_displacements = 100;   // likewise, and what they are summed up from
-constexpr double bytes_of_friction_state = 500;  // what layers and memory carry, and their arrays of an answer
+constexpr double bytes_of_displacements = 100;   // the same, and the arrays that are summed
+constexpr double bytes_of_friction_state = 500;  // the state of layers and memory, and its arrays in an answer
 // Viscoelastic bodies have tables of offsets of both signs, their symbols, and directions of the normal problem.
 constexpr double bytes_of_creep = 3000;
 
-// Seconds: a product by FFT takes so long for each element and power of two of them, one with strips by their pairs.
-// Measured. The stated cost is 1.5 to 3 times that of most requests, because some need more products.
+// These are measured seconds: a product by FFT takes the first time for each element and power of two of their number,
+// a product with strips the second time for each pair. The stated cost is 1.5 to 3 times that of most requests, because
+// some need more products.
 constexpr double seconds_of_product = 6e-9, seconds_of_pair = 2.4e-8;
 constexpr double products_of_normal = 15, products_of_friction = 200, products_of_step = 50;
-constexpr double products_of_wheel = 100;  // with the search for its height
+constexpr double products_of_wheel = 100;  // including the search for its height
 
 double pairs_of_strips(const json& grid) {
     return elements_of(grid) * grid.at("ny").get<double>();
@@ -95,19 +96,19 @@ WorkCost cost_of_table(const json& params, const Config& config) {
     const json& grid = params.at("grid");
     const bool is_uniform = any_body(params, "longitudinally_uniform");
     const double offsets = is_uniform ? pairs_of_strips(grid) : elements_of(grid);
-    // The record, the requested part, and the answer.
+    // Counts the record, the requested part, and the answer.
     const double seconds = any_body(params, "layered") ? seconds_of_layered_offset : seconds_of_offset;
     return {bytes_beside + offsets * 9 * sizeof(double) * 4, offsets * seconds};
 }
 
 WorkCost cost_of_export(const json& params, const Config& config) {
     WorkCost cost = cost_of_table(params, config);
-    cost.bytes *= 2;  // both bodies, or the file and its copy
+    cost.bytes *= 2;  // counts both bodies, or the file and its copy
     return cost;
 }
 
 WorkCost cost_of_wheel_rail(const json& params, const Config& config) {
-    constexpr double length = 20, width = 20;  // mm, of a contact with its margin
+    constexpr double length = 20, width = 20;  // mm, for a contact with its margin
     constexpr double most = 200'000;
     const json none = json::object();
     const json* given = member(params, "setup");

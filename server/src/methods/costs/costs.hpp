@@ -1,6 +1,6 @@
-// Costs in memory and time that several methods have, from the arguments of a request. MethodTable has a cost for each
-// expensive method; a cost of a single method is next to its handler. docs/limits.md is generated from them, and a test
-// compares them with measurements.
+// Computes costs in memory and time that several methods have, from the arguments of a request. MethodTable has a cost
+// for each expensive method; a cost of a single method is next to its handler. docs/limits.md is generated from them,
+// and a test compares them with measurements.
 #pragma once
 
 #include <nlohmann/json.hpp>

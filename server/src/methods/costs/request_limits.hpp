@@ -1,4 +1,4 @@
-// Limits of a request, checked before memory of its size is allocated. `params` have been checked against their schema.
+// Checks limits of a request before memory of its size is allocated. `params` have been checked against their schema.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,7 @@ void check_grid_limit(const nlohmann::json& params, std::size_t most);
 /// Checks the grids of all problems together.
 void check_grid_limits(const nlohmann::json& problems, std::size_t most);
 
-/// The arrays of a solution to be sent.
+/// Lists the arrays of a solution to be sent.
 struct ArrayAnswer {
     SolutionFields fields;
     std::size_t elements = 0;  ///< of the grid

@@ -21,11 +21,11 @@ using engine::IcAnswers;
 
 namespace {
 
-/// A file in progress: first the tables of both bodies, then the worker.
+/// Represents a file in progress: first the tables of both bodies, then the worker.
 struct Export {
     CallPtr call;
     FileFormat format = FileFormat::hdf5;
-    std::array<IcSpec, 2> specs;  // upper, lower; equal for one body
+    std::array<IcSpec, 2> specs;  // upper and lower body; equal for one body
     IcAnswers answers;
 };
 using ExportPtr = std::shared_ptr<Export>;
@@ -34,7 +34,7 @@ IcUse use_of(const IcAnswer& answer) {
     return {answer.origin, answer.key, answer.record->evidence};
 }
 
-/// The file as a whole, or its parts.
+/// Holds the file as a whole, or its parts.
 void answer_with_ic_file(const Export& work) {
     const IcRecord& source = *work.answers[0].record;
     IcRecord record{work.specs[0], {}, source.evidence};
@@ -42,7 +42,7 @@ void answer_with_ic_file(const Export& work) {
         record.tables = source.tables;
     else
         record.tables = table_for(source, record.spec, 1, CallObserver(work.call));
-    record.spec.any_nu = false;  // what leaves is one table of the family
+    record.spec.any_nu = false;  // The exported file contains one table of the family.
     proto::ArrayWriter arrays(work.call->request.arrays);
     const IcUse use = use_of(work.answers[0]);
     const nlohmann::json result = work.format == FileFormat::contents
@@ -78,7 +78,7 @@ void check_section(const IcExport& request, std::size_t most_bytes) {
                               "uniform body has none along y; use hdf5");
     if (spec.source == IcSource::analytic)
         throw InvalidArgument("ics.source", "is analytic, whose tables are faster to compute than to read: use ic.get");
-    (void)strip_frames(spec);  // tells of a bad section in the lengths of the request
+    (void)strip_frames(spec);  // Reports a bad section in the lengths of the request.
     constexpr double bytes_per_value = 9 * sizeof(double);
     const double size = bytes_per_value * spec.nx * table_rows(spec);
     if (size > static_cast<double>(most_bytes))

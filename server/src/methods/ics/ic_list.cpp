@@ -10,7 +10,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t most_with_evidence = 100;  // of one answer: each takes a file to be read
+constexpr std::size_t most_with_evidence = 100;  // limits one answer, because each table requires reading a file
 
 /// Uses whole names, so that a page may end between two extents of one key.
 std::string name_of(const StoredTable& table) {

@@ -1,4 +1,4 @@
-// ic.*: tables of influence coefficients.
+// Implements ic.*: tables of influence coefficients.
 #include <utility>
 
 #include "contactd/finite.hpp"
@@ -56,7 +56,7 @@ void get_table(const CallPtr& call, const DaemonParts& parts) {
 WorkCost cost_of_import(const json& params, const Config&) {
     double numbers = 0;
     for (const auto& [path, array] : params.at("datasets").items()) numbers += numbers_of(array);
-    // The arrays, their record, the closed form that it is compared with, and the file.
+    // Counts the arrays, their record, the closed form for comparison, and the file.
     return {bytes_beside + 5 * sizeof(double) * numbers, seconds_of_offset * numbers};
 }
 

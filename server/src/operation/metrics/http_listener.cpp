@@ -72,7 +72,7 @@ struct HttpListener::Server {
     }
 
     PageHandler metrics, health, readiness;
-    CivetServer civet;  // ends its threads before the handlers go
+    CivetServer civet;  // Must end its threads before the handlers are destroyed.
     const std::string host;
 };
 

@@ -1,4 +1,4 @@
-// Pages for monitoring by HTTP: /metrics (Prometheus), /healthz (alive), /readyz (accepts requests).
+// Serves pages for monitoring by HTTP: /metrics (Prometheus), /healthz (alive), /readyz (accepts requests).
 #pragma once
 
 #include <functional>

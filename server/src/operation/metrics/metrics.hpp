@@ -1,4 +1,4 @@
-// Metrics of the daemon, for server.info, server.metrics and Prometheus.
+// Collects metrics of the daemon, for server.info, server.metrics and Prometheus.
 #pragma once
 
 #include <prometheus/metric_family.h>
@@ -17,8 +17,8 @@ namespace contactd::server {
 
 using MetricFamilies = std::vector<prometheus::MetricFamily>;
 
-/// Answers by method and status, and their times. Unknown methods and statuses count as one, so that no client can make
-/// the list grow.
+/// Counts answers by method and status, and measures their times. Unknown methods and statuses count as one, so that no
+/// client can make the list grow.
 class RequestMetrics {
    public:
     explicit RequestMetrics(const std::vector<std::string>& methods);
@@ -40,7 +40,7 @@ class RequestMetrics {
     std::map<std::string, prometheus::Counter*, std::less<>> by_reason_;
 };
 
-/// A metric with one value, or with several values of one label.
+/// Represents a metric with one value, or with several values of one label.
 prometheus::MetricFamily counter(std::string name, std::string help, double value);
 prometheus::MetricFamily gauge(std::string name, std::string help, double value);
 struct LabelValue {

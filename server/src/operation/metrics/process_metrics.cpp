@@ -1,4 +1,4 @@
-// Metrics of this process, from the kernel.
+// Reads metrics of this process from the kernel.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -11,7 +11,7 @@
 namespace contactd::server {
 namespace {
 
-/// Pages of memory: all that is mapped, and what is resident.
+/// Holds pages of memory: all mapped ones, and the resident ones.
 std::pair<double, double> memory_bytes() {
     std::ifstream file("/proc/self/statm");
     double total = 0, resident = 0;
