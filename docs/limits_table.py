@@ -16,7 +16,7 @@ MARK = "<!-- What follows is written by ./dev docs from `x-largest` in proto/sch
 
 
 def costs(program: str | Path) -> list[dict[str, Any]]:
-    """Large requests of each method, and what they are expected to take, under the default limits."""
+    """Returns large requests of each method, and their expected costs, under the default limits."""
     printed = subprocess.run([program, "--print-costs"], capture_output=True, check=True, timeout=60).stdout
     return json.loads(printed)
 

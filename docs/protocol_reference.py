@@ -20,7 +20,7 @@ Schema = dict[str, Any]
 
 
 class Reference:
-    """The page of one OpenRPC document."""
+    """Returns the page of one OpenRPC document."""
 
     def __init__(self, document: Schema) -> None:
         self.document = document
@@ -33,7 +33,7 @@ class Reference:
             for name, schema in self.schemas.items()
             if name not in messages | {"envelope", "progress", "reply"} and schema.get("properties")
         }
-        del self.parts["array"]  # the text above explains it
+        del self.parts["array"]  # The text above explains it.
 
     def text(self) -> str:
         sections = ["## Methods\n"]
@@ -88,7 +88,7 @@ class Reference:
         return found
 
     def resolved(self, schema: Schema) -> Schema:
-        """What a reference leads to, with the words that stand beside it; `part` names a section to look into."""
+        """Resolves a reference, including the fields beside it; `part` names a section to search."""
         if "$ref" not in schema:
             return schema
         target: Any = self.schemas
@@ -126,7 +126,7 @@ class Reference:
 
 
 def _bounds(field: Schema) -> str:
-    """Its unit, and what it has to lie in."""
+    """Returns the unit and the bounds of a value."""
     rules = [
         (f"{sign} {field[key]:g}" if abs(field[key]) >= 1e6 else f"{sign} {field[key]}")
         for key, sign in [("minimum", ">="), ("exclusiveMinimum", ">"), ("maximum", "<="), ("exclusiveMaximum", "<")]
@@ -155,12 +155,12 @@ def _anchor(name: str) -> str:
 
 
 def _paragraph(text: str) -> str:
-    """In lines of at most 110 characters."""
+    """Wraps text to lines of at most 110 characters."""
     return textwrap.fill(text, 110, break_long_words=False, break_on_hyphens=False) + "\n"
 
 
 def _indented(example: Any) -> str:
-    """JSON in lines of at most 110 characters."""
+    """Returns JSON in lines of at most 110 characters."""
     return "\n".join("    " + line for line in _lines(example)) + "\n"
 
 
@@ -177,7 +177,7 @@ def _lines(value: Any, before: str = "", indent: str = "") -> list[str]:
 
 
 def page(document: Schema, current: str) -> str:
-    """The whole page: what stands above the mark, and the reference."""
+    """Returns the whole page: the text above the mark, and the reference."""
     above, mark, _ = current.partition(MARK)
     if not mark:
         raise SystemExit(f"{PAGE} lacks the line that says where the reference begins:\n{MARK}")

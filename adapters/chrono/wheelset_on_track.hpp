@@ -1,12 +1,12 @@
-// A wheelset on its rails in Project Chrono 9: a load between the body of the wheelset and the one that carries the
-// track.
+// Implements a wheelset on its rails in Project Chrono 9, as a load between the body of the wheelset and the body of
+// the track.
 //
 //     auto contact = std::make_shared<WheelsetOnTrack>(wheelset, ground, frame, "local", "fastsim", 0.3, 1e-3);
 //     container->Add(contact);   // a ChLoadContainer of the system
 //
-// `frame`, in absolute coordinates, has the axes of the track, x forwards, y to the right, z down, and lies where the
-// wheelset's centre is when its tape circles stand on the plane of the tops of the rails; the wheelset's axle is along
-// its y. Units are those of SI. Chrono computes the Jacobian by differences.
+// `frame`, in absolute coordinates, has the axes of the track: x forwards, y to the right, z down. Its origin is at the
+// wheelset's centre when its tape circles stand on the plane of the rail tops. The wheelset's axle is along its y axis.
+// Units are SI. Chrono computes the Jacobian by differences.
 #pragma once
 
 #include "contactd_wheelset.h"

@@ -1,14 +1,14 @@
-/* The forces of a wheelset's wheels for MBDyn: a process of its own beside it, which its "external structural" force
- * with one node and orientation matrices, "coupling, loose", tells a motion each step by a socket of libmbc.
+/* Computes the forces on a wheelset's wheels for MBDyn in a separate process. MBDyn's "external structural" force, with
+ * one node, orientation matrices and loose coupling, sends it a motion in each step through a socket of libmbc.
  *
  *     export PKG="$(pkg-config --cflags --libs contactd-local)"
  *     cc -std=c99 -o wheelset_peer wheelset_peer.c -I../multibody $PKG -lmbc -lm
  *     ./wheelset_peer /tmp/mbdyn.sock local fastsim 0.3 0.001
  *
- * The socket's path, where contacts are solved, the model, the coefficient of friction, the size of elements (m). The
- * node is the wheelset's centre; the frame of its coordinates is that of contactd_wheelset.h, x forwards, y to the
- * right, z down, and so is what comes back, in N and N m. Ends with 0 when MBDyn has ended, and with 1 where something
- * failed. */
+ * The arguments are the path of the socket, where contacts are solved, the model, the friction coefficient, and the
+ * size of elements (m). The node is the wheelset's centre. Its coordinates are those of contactd_wheelset.h: x
+ * forwards, y to the right, z down. The forces and moments have the same axes, in N and N m. The exit status is 0 when
+ * MBDyn has ended, and 1 after a failure. */
 #include "contactd_wheelset.h"
 
 #include <mbc.h>
@@ -40,7 +40,7 @@ int main(int count, char** arguments) {
         CONTACTD_OK)
         return failed(contactd_last_error(NULL));
     mbc_nodal_t mbc = {0};
-    mbc.mbc.data_and_next = 1; /* forces come with the word that the step is done */
+    mbc.mbc.data_and_next = 1; /* sends the forces and ends the step */
     mbc.mbc.timeout = -1;
     int status = 1;
     if (mbc_unix_init((mbc_t*)&mbc, arguments[1]))

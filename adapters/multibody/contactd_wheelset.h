@@ -1,10 +1,11 @@
-/* Both wheels of a wheelset on their rails, for a multibody program that has a place, a rotation and velocities, and
- * wants a force and a moment: what the adapters of Project Chrono and MBDyn share. C99 and C++.
+/* Computes the contact of both wheels of a wheelset, for multibody programs that provide its position, rotation and
+ * velocities and need its force and moment. The adapters of Project Chrono and MBDyn share this header. It is C99 and
+ * C++.
  *
- * All vectors are in the axes of the track: x forwards, y to the right, z down. Its origin is where the wheelset's
- * centre is when its tape circles stand on the plane of the tops of the rails, in the middle. Units are m, rad, s, N, N
- * m. The wheelset's own y axis is its axle, to the right. Heights are given by the motion and not by a load, so that
- * nothing is searched for; a wheel above its rail has no force. */
+ * All vectors are in the axes of the track: x forwards, y to the right, z down. The origin is at the wheelset's centre
+ * when its tape circles stand on the plane of the rail tops, in the middle of the track. Units are m, rad, s, N, N m.
+ * The wheelset's own y axis is its axle, to the right. The motion prescribes the heights, so no height is searched for;
+ * a wheel above its rail has no force. */
 #ifndef CONTACTD_WHEELSET_H
 #define CONTACTD_WHEELSET_H
 
@@ -17,7 +18,7 @@ typedef struct {
     contactd_wheel* wheels[2]; /* left, right */
 } contactd_wheelset;
 
-/* Gives back what contactd_wheelset_open has made, in part, too. */
+/* Frees all objects that contactd_wheelset_open created, even if it failed. */
 static inline void contactd_wheelset_close(contactd_wheelset* of) {
     for (int k = 0; k < 2; ++k)
         if (of->wheels[k]) contactd_wheel_free(of->wheels[k]);
@@ -25,9 +26,9 @@ static inline void contactd_wheelset_close(contactd_wheelset* of) {
     memset(of, 0, sizeof *of);
 }
 
-/* `where`: "local", or a daemon; `model`: "full", "fastsim" and so on; `element` in m. S1002 on 60E1 at 1/40, of steel:
- * other fields are set at of->wheels by their paths. Returns a code of contactd.h, with the sentence in
- * contactd_last_error(NULL). */
+/* `where`: "local", or a daemon; `model`: "full", "fastsim" and so on; `element` in m. The profiles are S1002 on 60E1
+ * at 1/40, the material is steel. Set other fields at of->wheels by their paths. Returns a code of contactd.h, with the
+ * message in contactd_last_error(NULL). */
 static inline int32_t contactd_wheelset_open(contactd_wheelset* of, const char* where, const char* model,
                                              double friction, double element) {
     static const char* const sides[] = {"left", "right"};
@@ -51,7 +52,7 @@ static inline int32_t contactd_wheelset_open(contactd_wheelset* of, const char* 
 static inline int32_t contactd_wheelset_solve(contactd_wheelset* of, const double place[3], const double rotation[9],
                                               const double velocity[3], const double omega[3], double force[3],
                                               double moment[3]) {
-    /* The axle, R e_y, knows yaw and roll, R = R_z(yaw) R_x(roll) R_y(pitch), and nothing of the pitch. */
+    /* The axle R e_y depends on yaw and roll, but not on the pitch: R = R_z(yaw) R_x(roll) R_y(pitch). */
     const double axle[3] = {rotation[1], rotation[4], rotation[7]};
     const double yaw = atan2(-axle[0], axle[1]), roll = atan2(axle[2], hypot(axle[0], axle[1]));
     const double c = cos(yaw), s = sin(yaw), cr = cos(roll), sr = sin(roll);

@@ -1,10 +1,10 @@
-"""Makes an SSP archive of a wheelset: its body, the track, and its two wheels on their rails, four FMUs for
-co-simulation.
+"""Makes an SSP archive of a wheelset from four FMUs for co-simulation: its body, the track, and its two wheels on
+their rails.
 
     python3 adapters/ssp WHEEL_FMU HEADERS OUTPUT
 
-WHEEL_FMU is contactd_wheel_fmi2.fmu, HEADERS the folder of fmi2Functions.h; a C compiler makes the two small FMUs (CC, cc).
-docs/plugged-in.md says how it is run.
+WHEEL_FMU is contactd_wheel_fmi2.fmu, and HEADERS is the folder of fmi2Functions.h. A C compiler (CC, default cc) makes
+the two small FMUs. docs/plugged-in.md describes how to run the archive.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ _WHEEL: dict[str, float | int] = {
 
 @dataclass
 class Component:
-    """An FMU of the system, its connected variables, and its parameters."""
+    """Describes an FMU of the system, its connected variables, and its parameters."""
 
     source: str
     inputs: tuple[str, ...] = ()

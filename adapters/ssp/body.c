@@ -1,12 +1,12 @@
-/* The body of a wheelset on springs, across the track and about the vertical:
+/* Simulates the body of a wheelset on springs, across the track and about the vertical axis:
  *
  *     m y'' = -(Fy_left + Fy_right) - k_y y - c_y y'
  *     I yaw'' = -(Mz_left + Mz_right) - k_yaw yaw - c_yaw yaw'
  *
- * with the forces on the rails in the wheelset's axes, as contactd_wheel has them with coordinates = 2: the yaw of a
- * wheelset on its rails is too small to tell them from those of the track. Creep forces damp with creep coefficient
- * over velocity, some 1e6 N s/m: a step must be short against m over that. Units are N, mm, kg, s and rad: a force in N
- * over a mass in kg is an acceleration in m/s^2, 1000 of it mm/s^2. */
+ * The forces on the rails are in the wheelset's axes, as from contactd_wheel with coordinates = 2. The yaw of a
+ * wheelset is too small to distinguish them from the axes of the track. Creep forces damp with the creep coefficient
+ * divided by the velocity, about 1e6 N s/m, and a step must be short compared with m divided by this damping. Units are
+ * N, mm, kg, s and rad: a force in N divided by a mass in kg is an acceleration in m/s^2, which is 1000 mm/s^2. */
 #include "part.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@ void part_begin(double* values) {
     values[Y] = values[Y_START];
 }
 
-/* Velocities first and places by them: what swings keeps its energy but for the order of the step. */
+/* Updates velocities before positions, so that oscillations keep their energy to the order of the step. */
 int part_step(double* v, double time, double size) {
     (void)time;
     if (!(v[MASS] > 0 && v[INERTIA] > 0)) return 1;

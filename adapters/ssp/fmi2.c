@@ -1,4 +1,4 @@
-/* The functions of FMI 2.0 for a part (part.h). What co-simulation may leave out answers with an error. */
+/* Implements the functions of FMI 2.0 for a part (part.h). Optional functions of co-simulation return an error. */
 #include "part.h"
 
 #include <fmi2Functions.h>
@@ -84,7 +84,7 @@ FMI2_Export fmi2Status fmi2DoStep(fmi2Component c, fmi2Real time, fmi2Real size,
     return part_step(((Part*)c)->values, time, size) == 0 ? fmi2OK : fmi2Error;
 }
 
-/* There are no others than reals. */
+/* There are no variables of other types. */
 FMI2_Export fmi2Status fmi2GetInteger(fmi2Component c, const fmi2ValueReference r[], size_t n, fmi2Integer v[]) {
     (void)c, (void)r, (void)v;
     return n == 0 ? fmi2OK : fmi2Error;
@@ -110,7 +110,7 @@ FMI2_Export fmi2Status fmi2SetString(fmi2Component c, const fmi2ValueReference r
     return n == 0 ? fmi2OK : fmi2Error;
 }
 
-/* An instance is its values, so that a state is a copy of it. */
+/* An instance consists of its values, so a state is a copy of it. */
 FMI2_Export fmi2Status fmi2GetFMUstate(fmi2Component c, fmi2FMUstate* state) {
     if (!*state) *state = malloc(sizeof(Part));
     if (!*state) return fmi2Error;

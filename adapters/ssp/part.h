@@ -1,6 +1,6 @@
-/* A small FMU for co-simulation, FMI 2.0, all of whose variables are real: what a system of FMUs has beside the wheels.
- * Variables are those of __main__.py, which makes modelDescription.xml of them and part_variables.h: their names as
- * indices, and PART_STARTS, their start values. A part says how it makes a step. */
+/* Declares a small FMU for co-simulation, FMI 2.0, with real variables only: the parts of a system beside the wheels.
+ * __main__.py lists the variables, and generates modelDescription.xml and part_variables.h from them. The header
+ * contains their names as indices, and PART_STARTS, their start values. Each part implements a step. */
 #ifndef CONTACTD_SSP_PART_H
 #define CONTACTD_SSP_PART_H
 
@@ -8,7 +8,7 @@ enum { MOST_VARIABLES = 32 };
 
 /* Outputs of the start. */
 void part_begin(double* values);
-/* From `time` (s) on by `size` (s). Returns 0, or 1 where a value cannot be used. */
+/* Makes a step from `time` (s) of length `size` (s). Returns 0, or 1 for an invalid value. */
 int part_step(double* values, double time, double size);
 
 #endif

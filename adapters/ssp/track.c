@@ -1,4 +1,4 @@
-/* The alignment of a track: both rails lie beside their place by y, a bump of a raised cosine that a wheelset passes,
+/* Simulates the alignment of a track: y displaces both rails, by a bump (a raised cosine) that a wheelset passes,
  *
  *     y = height/2 (1 - cos(2 pi s/length)),   s = velocity time - begins,   0 <= s <= length
  *

@@ -20,14 +20,14 @@ from contactd import LocalDaemon
 
 
 def write_schemas(folder: Path, bin_folder: Path) -> None:
-    """The messages' schemas and the OpenRPC document of the daemon, as files beside the pages."""
+    """Writes the messages' schemas and the OpenRPC document of the daemon as files next to the pages."""
     shutil.copytree(SCHEMAS, folder / "schema", ignore=lambda _, names: [name for name in names if not name.endswith(".json")])
     with LocalDaemon(bin_folder / "contactd") as daemon, daemon.client() as client:
         (folder / "openrpc.json").write_text(json.dumps(client.describe(), indent=1) + "\n")
 
 
 def build(bin_folder: Path, output: Path) -> int:
-    """The status of Sphinx. Nothing of a former build is kept, so that no page stays that is gone."""
+    """Runs Sphinx and returns its status. The output of earlier builds is removed, so that deleted pages disappear."""
     work = output.with_name(output.name + "-work")
     for folder in (output, work):
         shutil.rmtree(folder, ignore_errors=True)
@@ -36,7 +36,7 @@ def build(bin_folder: Path, output: Path) -> int:
     # Notebooks solve in process.
     paths = [str(bin_folder.parent / "lib/python"), os.environ.get("PYTHONPATH", "")]
     environment = {**os.environ, "CONTACTD_SITE_WORK": str(work), "PYTHONPATH": os.pathsep.join(paths)}
-    environment["PYTHONWARNINGS"] = "ignore"  # of the libraries about each other; Sphinx's are about the pages
+    environment["PYTHONWARNINGS"] = "ignore"  # come from libraries about each other; Sphinx's own are about the pages
     sphinx = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html"]
     return subprocess.run([*sphinx, "-c", FOLDER, "-d", work / "doctrees", ROOT, output], env=environment).returncode
 

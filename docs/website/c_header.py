@@ -1,4 +1,4 @@
-"""A filter of doxygen for contactd.h: marks its ordinary comments for doxygen.
+"""Filters contactd.h for doxygen: marks its ordinary comments as documentation.
 
     c_header.py FILE
 

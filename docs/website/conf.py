@@ -1,8 +1,9 @@
-"""The documentation site: all pages of the repository where they lie, so that their links hold here and on the web.
+"""Configures the documentation site. It contains all pages of the repository at their own paths, so that their links
+also hold here.
 
     ./dev docs           (python3 docs/website --bin build/development/bin)
 
-CONTACTD_SITE_WORK is where __main__.py has put what doxygen found, and files that stand beside the pages.
+CONTACTD_SITE_WORK is the folder in which __main__.py has put doxygen's output and the files next to the pages.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ nb_merge_streams = True
 autodoc_member_order = "bysource"
 autodoc_typehints = "signature"
 autodoc_class_signature = "separated"
-# Methods of values are those of bases; what the classes named here have, everybody knows.
+# Methods of values are inherited; methods of the classes named here are well known.
 _ORDINARY = "Exception, dict, tuple, object, Generic, Protocol"
 autodoc_default_options = {"members": True, "show-inheritance": True, "inherited-members": _ORDINARY}
 napoleon_numpy_docstring = False
@@ -75,7 +76,7 @@ cpp_maximum_signature_line_length = c_maximum_signature_line_length = 100
 
 # HTML.
 html_theme = "furo"
-pygments_style, pygments_dark_style = "default", "github-dark"  # whose letters stand out enough
+pygments_style, pygments_dark_style = "default", "github-dark"  # provides sufficient contrast for letters
 html_title = f"contactd {version}"
 html_short_title = "contactd"
 html_static_path = ["static"]

@@ -1,4 +1,4 @@
-"""Comments of the public headers: doxygen reads them, breathe puts them into pages."""
+"""Prepares comments of the public headers: doxygen reads them, and breathe puts them into pages."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def _doxygen(output: Path, files: Iterable[Path], **more: str) -> None:
 
 
 def _name_enums(file: Path) -> None:
-    """Sphinx takes no enum without a name, and shows one whose name begins with an @ as anonymous."""
+    """Sphinx accepts no enum without a name, and shows a name that begins with @ as anonymous."""
     count = iter(range(1000))
     file.write_text(re.sub("<name></name>", lambda _: f"<name>@{next(count)}</name>", file.read_text()))
 
@@ -91,5 +91,5 @@ def _put_members_to_files(folder: Path) -> None:
 
 
 def _is_nested(inner: ElementTree.Element) -> bool:
-    """Shown with the class that it belongs to."""
+    """It is shown with its class."""
     return bool(re.search(r"::[A-Z]\w*::", inner.text or ""))

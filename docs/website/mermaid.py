@@ -1,6 +1,6 @@
-"""Draws the flow charts that pages have as Mermaid, which code-hosting pages draw by themselves, with Graphviz: what
-docs/operations.md uses of the language and no more; anything else is an error. It is drawn from top to bottom whatever
-the chart says: pages are narrow.
+"""Draws the Mermaid flow charts of pages with Graphviz. Code-hosting pages draw them directly. Only the features that
+docs/operations.md uses are supported; anything else is an error. Charts are drawn from top to bottom regardless of
+their direction, because pages are narrow.
 
     flowchart LR
     subgraph name ["title"]           end
@@ -23,7 +23,7 @@ GROUP = re.compile(r'subgraph (\w+) \["([^"]*)"\]')
 
 
 def dot(chart: str) -> str:
-    """The chart in Graphviz's language; a ValueError names a line that is not understood."""
+    """Returns the chart in Graphviz's language. Raises ValueError naming a line that is not understood."""
     first, *lines = [line.strip() for line in chart.strip().splitlines()]
     if first not in ("flowchart LR", "flowchart TB"):
         raise ValueError(f"'{first}' is not 'flowchart LR' or 'flowchart TB'")
@@ -57,7 +57,7 @@ def drawn(name: str, shape: str | None, text: str | None) -> str:
 
 
 def broken(label: str) -> str:
-    """In lines of about twenty characters."""
+    """Wraps text to lines of about twenty characters."""
     return re.sub(r"(.{14,}?) ", r"\1\\n", label)
 
 
@@ -78,7 +78,7 @@ class Mermaid(Directive):
 
 
 def arrows(chart: str) -> list[str]:
-    """What the chart says, for those who cannot see it."""
+    """Returns the text of the chart, for readers who cannot see it."""
     return [f"{found[1]} to {found[6]}" for found in map(ARROW.search, chart.splitlines()) if found]
 
 

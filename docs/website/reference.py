@@ -1,4 +1,4 @@
-"""The parts of pages that are written from docstrings, headers and schemas, so that nothing is missing in them."""
+"""Writes the parts of pages that come from docstrings, headers and schemas, so that they are complete."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def cpp(headers: list[str]) -> str:
 
 
 def _head(header: str) -> str:
-    """The comment at the beginning of a header."""
+    """Returns the comment at the beginning of a header."""
     lines = path_of(header).read_text().splitlines()
     comment = itertools.takewhile(lambda line: line.startswith("//"), lines)
     return "\n".join(re.sub("^// ?", "", line) for line in comment)
@@ -40,7 +40,7 @@ MODULES = ("wheel_rail", "contact_files", "materials")
 
 
 def python(modules: list[str]) -> str:
-    """Every name of these that the package exports."""
+    """Lists the names among these that the package exports."""
     import contactd
 
     parts, exported = [], _exports(contactd)
@@ -64,8 +64,8 @@ def python(modules: list[str]) -> str:
 
 
 def _exports(package: Any) -> dict[str, list[str]]:
-    """By modules, those of the package itself before those of its folders, each in the order in which __init__.py imports them;
-    among them last those that it imports when they are first wanted."""
+    """Groups names by modules: first those of the package itself, then those of its folders, each in the order of the
+    imports in __init__.py. Lazily imported names come last."""
     imports = [item for item in ast.parse((PACKAGE / "__init__.py").read_text()).body if isinstance(item, ast.ImportFrom)]
     modules = {alias.name: item.module or "" for item in imports if item.level == 1 for alias in item.names}
     found: dict[str, list[str]] = {module: [] for module in modules.values()}
@@ -86,7 +86,7 @@ def _kind(thing: object) -> str:
 
 
 def wire() -> str:
-    """Links to files that stand beside the pages of the site, which Markdown cannot make."""
+    """Links to files next to the pages of the site, which Markdown cannot do."""
     names = sorted(path.name.removesuffix(".json") for path in SCHEMAS.glob("*.json"))
     links = {"openrpc": ("openrpc", "All methods and messages in one document")}
     links |= {f"schema/{name}": (name, _sentence(name)) for name in names}
@@ -119,7 +119,7 @@ def _package() -> Any:
 
 
 def missing(pages: list[str]) -> list[str]:
-    """Modules and headers that are on no page, or on two."""
+    """Lists modules and headers that are on no page, or on two."""
     named = [(found[1], name) for page in pages if (found := LISTED.search(page)) for name in found[2].split()]
     there = [(kind, name) for kind, (_, names) in PARTS.items() for name in names()]
     return sorted(
@@ -135,7 +135,7 @@ def write(_app: Any, name: str, source: list[str]) -> None:
 
 
 def check_that_nothing_is_missing(app: Any, environment: Any, _changed: list[str]) -> None:
-    from sphinx.errors import ExtensionError  # tests read the parts without Sphinx
+    from sphinx.errors import ExtensionError  # Tests read the parts without Sphinx.
 
     pages = [
         Path(environment.doc2path(name)).read_text()
@@ -153,7 +153,7 @@ ARRAY_LIKE = re.compile(r"(?:~?collections\.abc\.)?Buffer \| [^,]*?_NestedSequen
 
 
 def named(types: str | None) -> str | None:
-    """With ArrayLike by its name."""
+    """Keeps ArrayLike as a name."""
     return types and ARRAY_LIKE.sub("ArrayLike", types)
 
 
@@ -164,15 +164,15 @@ def adapt_signature(
 
 
 def adapt(_app: Any, _what: str, _name: str, _object: object, _options: object, lines: list[str]) -> None:
-    """In a docstring |x| is the size of x, no substitution, and docs/contact.md a page."""
+    """In a docstring, |x| is the absolute value of x, not a substitution, and docs/contact.md is a page."""
     lines[:] = [named(line) or "" for line in lines]
     lines[:] = [re.sub(r"\|([^|`]+)\|", r"\\|\1\\|", line) for line in lines]
     lines[:] = [re.sub(r"(?<![\w/`])docs/(\w[\w-]*)\.md", r":doc:`docs/\1.md </docs/\1>`", line) for line in lines]
 
 
 def without_names_that_are_there_twice(_app: Any, doctree: Any) -> None:
-    """Breathe gives the kinds of members of each class the same anchors as those of all others; nothing links to them."""
-    from docutils import nodes  # tests read the parts without Sphinx
+    """Breathe uses the same anchors for the kinds of members of all classes; nothing links to them."""
+    from docutils import nodes  # Tests read the parts without Sphinx.
 
     for title in doctree.findall(nodes.rubric):
         if "breathe-sectiondef-title" in title["classes"]:
@@ -180,7 +180,7 @@ def without_names_that_are_there_twice(_app: Any, doctree: Any) -> None:
 
 
 def setup(app: Any) -> dict[str, Any]:
-    app.connect("autodoc-process-docstring", adapt, priority=600)  # behind napoleon, which writes types of attributes
+    app.connect("autodoc-process-docstring", adapt, priority=600)  # comes after napoleon, which writes attribute types
     app.connect("autodoc-process-signature", adapt_signature)
     app.connect("source-read", write)
     app.connect("env-before-read-docs", check_that_nothing_is_missing)

@@ -1,5 +1,5 @@
-"""The table of contents: the lists of docs/index.md, a caption for each heading, and below a page of LISTS those that it lists.
-A page that is in none is an error."""
+"""Writes the table of contents from the lists of docs/index.md, with a caption for each heading. The pages in LISTS
+are followed by the pages that they list. A page in no list is an error."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ LISTS = ("docs/reference/python", "docs/reference/cpp")
 
 
 def roads(index: str) -> Iterator[tuple[str, list[str]]]:
-    """Of each heading with a list, its name and the targets of the links that the points of the list begin with."""
+    """Maps each heading with a list to its name and the targets of the links at the beginning of the list's items."""
     for section in re.split(r"^## ", index, flags=re.MULTILINE)[1:]:
         heading, _, text = section.partition("\n")
         if pages := re.findall(r"^\* \[[^\]]+\]\(([^)#]+)[^)]*\)", text, re.MULTILINE):
@@ -23,7 +23,7 @@ def roads(index: str) -> Iterator[tuple[str, list[str]]]:
 
 
 def document(index: str, page: str) -> str:
-    """Sphinx's name of a page that `index` links to."""
+    """Returns Sphinx's name of a page that `index` links to."""
     return posixpath.splitext(posixpath.normpath(posixpath.join(posixpath.dirname(index), page)))[0]
 
 
@@ -38,7 +38,7 @@ def change_source(app: Any, name: str, source: list[str]) -> None:
 
 
 def check_that_every_page_is_listed(app: Any, environment: Any, _changed: list[str]) -> None:
-    from sphinx.errors import ExtensionError  # tests read the lists without Sphinx
+    from sphinx.errors import ExtensionError  # Tests read the lists without Sphinx.
 
     index = app.config.root_doc
     lists = {name: environment.doc2path(name).read_text() for name in (index, *LISTS) if name in environment.found_docs}

@@ -1,5 +1,5 @@
-"""The dark colours of the theme, for all whose system is dark. Debian's style sheet has them behind the button only: a page
-that follows the system stays light in it, but for its code."""
+"""Applies the theme's dark colours on systems in dark mode. In Debian's style sheet only the button selects them: a
+page that follows the system stays light, except for its code."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ STYLE = "theme/furo/static/styles/furo.css"
 
 
 def dark_colours(style: str) -> dict[str, str]:
-    """Names, without their hyphens, and values. Raises ValueError where the style sheet has none."""
+    """Returns names, without their hyphens, and values. Raises ValueError if the style sheet has none."""
     block = re.search(r'body\[data-theme="dark"\] \{([^}]*--color[^}]*)\}', style)
     colours = dict(re.findall(r"--([\w-]+):\s*([^;]+);", block[1])) if block else {}
     if "color-background-primary" not in colours:

@@ -1,5 +1,5 @@
-"""The script of the theme, as a plain one. Debian has it as a module, which browsers keep from pages that are opened as files,
-and which takes the whole of its library for the class that is in it: on every page it ended in an error."""
+"""Turns the theme's script into a plain one. Debian provides it as a module. Browsers block modules on pages opened as
+files, and the module uses its library in a way that caused an error on every page."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ SCRIPT, LIBRARY = "scripts/furo.js", "scripts/gumshoe-patched.js"
 
 
 def plain(script: str) -> str:
-    """Without the import of its library, which makes itself known when it is loaded before. Raises ValueError without one."""
+    """Removes the import of the library, which defines a global name if it is loaded before. Raises ValueError if
+    there is no import."""
     found, count = re.subn(r'^import \* as Gumshoe from "\./gumshoe-patched\.js";\n', "", script)
     if not count:
         raise ValueError(f"{SCRIPT} of the theme does not begin as it did; see whether it still needs theme_scripts")

@@ -1,4 +1,4 @@
-"""./dev generate: writes the files that follow from proto/schema; --check only lists those that differ.
+"""Writes the files that follow from proto/schema (./dev generate); --check only lists those that differ.
 
     python3 -m generate [--check]      in proto
 """

@@ -1,4 +1,4 @@
-"""The declarations of proto/schema: structs with their fields, and enums with their keywords.
+"""Reads the declarations of proto/schema: structs with their fields, and enums with their keywords.
 
 A schema of a C++ type gives the name of the type in `x-cpp`: a struct for an object, an enum for a list of words. Other types
 with a name have a special form in messages, and so do objects none of whose fields has a name in C++.

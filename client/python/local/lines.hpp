@@ -1,4 +1,4 @@
-// The lines of a log, kept until somebody fetches them.
+// Keeps the lines of a log until they are fetched.
 #pragma once
 
 #include <deque>
@@ -8,10 +8,10 @@
 
 namespace contactd::python {
 
-/// The last lines that nobody has fetched. Thread-safe.
+/// Holds the last lines that have not been fetched. Thread-safe.
 class Lines {
    public:
-    using Line = std::pair<int, std::string>;  ///< level as Python's logging has it, sentence
+    using Line = std::pair<int, std::string>;  ///< level of Python's logging, and the sentence
 
     void put(int level, const std::string& sentence) {
         const std::scoped_lock lock(mutex_);

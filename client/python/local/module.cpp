@@ -1,9 +1,9 @@
-// contactd_local: the service in the process of Python. The package contactd asks for it by this name, and is all that
-// does: what is exchanged are the messages of docs/protocol.md.
+// Implements contactd_local: the service in the process of Python. Only the package contactd imports it, by this name.
+// They exchange the messages of docs/protocol.md.
 //
-// The threads of the service never touch Python. Who asks waits without the interpreter's lock, and looks for signals
+// The threads of the service never call Python. A caller waits without the interpreter's lock and checks for signals
 // (Ctrl-C) meanwhile; lines of the log wait until they are fetched.
-#include "python_api.hpp"  // first: what it asks of Python must be said before anything includes it
+#include "python_api.hpp"  // comes first, because its macros must be defined before Python.h is included
 
 #include <chrono>
 #include <memory>
@@ -23,7 +23,7 @@ using server::InProcess;
 
 constexpr auto look_for_signals = std::chrono::milliseconds(50);
 
-/// Of the module; each interpreter has its own.
+/// belongs to the module; each interpreter has its own
 struct State {
     PyObject* error;         // class Error(RuntimeError)
     PyTypeObject* exchange;  // class Exchange
@@ -38,7 +38,7 @@ PyObject* error_of(PyObject* self) {
 
 // --- Exchange --------------------------------------------------------------------------------------------------------
 
-/// The next message as a list of bytes. Raises what a handler of a signal raises.
+/// Returns the next message as a list of bytes. Raises the exceptions of signal handlers.
 PyObject* next(PyObject* self, PyObject*) {
     return answer(error_of(self), [&] {
         std::optional<Exchange::Message> message;

@@ -1,6 +1,6 @@
-// What Python's C interface leaves to care in C++: references, the interpreter's lock, exceptions, and values that a
-// Python object holds. Of the interface only what Python 3.10 promised to keep: one module serves it and all later
-// ones.
+// Wraps parts of Python's C interface that require care in C++: references, the interpreter's lock, exceptions, and
+// values inside a Python object. It uses only the stable interface of Python 3.10, so one module serves this version
+// and all later ones.
 #pragma once
 
 #define Py_LIMITED_API 0x030A0000
@@ -20,10 +20,10 @@
 
 namespace contactd::python {
 
-/// A Python exception is set, and is what the caller shall get.
+/// Reports that a Python exception is set, which the caller receives.
 struct ExceptionIsSet {};
 
-/// A reference that is owned. Throws ExceptionIsSet for what could not be made.
+/// Owns a reference. Throws ExceptionIsSet for an object that could not be created.
 class Reference {
    public:
     explicit Reference(PyObject* owned) : object_(owned) {
@@ -41,13 +41,13 @@ class Reference {
     PyObject* object_;
 };
 
-/// Other threads of Python may run while it lives.
+/// Lets other threads of Python run during its lifetime.
 class Unlocked {
    public:
     Unlocked() : state_(PyEval_SaveThread()) {}
-    /// Up to Python 3.13 a thread that asks for the lock of an interpreter that ends is ended there, by unwinding,
-    /// which must not go through a destructor, and would drop references without the lock. It sleeps until the process
-    /// ends.
+    /// Up to Python 3.13, a thread that requests the lock of an ending interpreter is ended there by unwinding.
+    /// Unwinding must not pass a destructor, and would drop references without the lock. Such a thread sleeps until the
+    /// process ends.
     ~Unlocked() {
         try {
             PyEval_RestoreThread(state_);
@@ -62,8 +62,8 @@ class Unlocked {
     PyThreadState* state_;
 };
 
-/// What `act` gives. What it throws becomes the Python exception `error` where it is one of contactd's, else one of
-/// Python's own, and the answer is null.
+/// Returns the result of `act`. Exceptions of contactd become the Python exception `error`, others become one of
+/// Python's own; the result is then null.
 template <class Act>
 PyObject* answer(PyObject* error, const Act& act) {
     try {
@@ -88,12 +88,12 @@ inline Reference bytes(std::string_view text) {
     return Reference(PyBytes_FromStringAndSize(text.data(), static_cast<Py_ssize_t>(text.size())));
 }
 
-/// Text that came from anywhere: what is no UTF-8 in it is replaced.
+/// Converts a text of any origin; invalid UTF-8 in it is replaced.
 inline Reference words(std::string_view text) {
     return Reference(PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
 }
 
-/// What bytes hold. Throws ExceptionIsSet (TypeError) for all else.
+/// Returns the content of a bytes object. Throws ExceptionIsSet (TypeError) for other objects.
 inline std::string text_of(PyObject* object) {
     char* data = nullptr;
     Py_ssize_t size = 0;
@@ -116,7 +116,7 @@ T& held_by(PyObject* self) {
     return *reinterpret_cast<Holder<T>*>(self)->held;
 }
 
-/// A new object of `type`, which must be one of Holder<T>.
+/// Creates an object of `type`, which must be one of Holder<T>.
 template <class T>
 PyObject* hold(PyTypeObject* type, std::unique_ptr<T> value) {
     const auto allocate = reinterpret_cast<allocfunc>(PyType_GetSlot(type, Py_tp_alloc));
@@ -125,7 +125,7 @@ PyObject* hold(PyTypeObject* type, std::unique_ptr<T> value) {
     return object.release();
 }
 
-/// The end of an object of Holder<T>: its tp_dealloc.
+/// Destroys an object of Holder<T>, as its tp_dealloc.
 template <class T>
 void let_go(PyObject* self) {
     PyTypeObject* const type = Py_TYPE(self);

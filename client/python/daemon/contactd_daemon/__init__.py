@@ -1,4 +1,5 @@
-"""Daemon and builder of contactd with all libraries that they need, down to the loader: what the wheel contactd-daemon holds.
+"""Provides the daemon and builder of contactd with all libraries that they need, including the loader: the content of
+the wheel contactd-daemon.
 
 ``contactd.local()`` and ``LocalDaemon`` find them here. ``contactd`` and ``contactd-ic`` are commands of the environment.
 """
@@ -14,7 +15,7 @@ __all__ = ["program"]
 
 
 def program(name: str = "contactd") -> Path:
-    """The program `name`, contactd or contactd-ic. Raises ValueError for others."""
+    """Returns the path of the program `name`, contactd or contactd-ic. Raises ValueError for others."""
     if name not in ("contactd", "contactd-ic"):
         raise ValueError(f"name is {name!r}; there are contactd and contactd-ic")
     return Path(__file__).parent / "bin" / name

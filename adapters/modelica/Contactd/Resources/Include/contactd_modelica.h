@@ -1,5 +1,6 @@
-/* What the Modelica package Contactd calls: a wheel on its rail over contactd.h, with failures as Modelica has them.
- * Lengths are in m, angles in rad, forces in N and moments in N m, as in Modelica; contactd has mm. */
+/* Implements the functions of the Modelica package Contactd: a wheel on its rail by contactd.h, with failures as
+ * Modelica errors. Lengths are in m, angles in rad, forces in N and moments in N m, as in Modelica; contactd uses
+ * mm. */
 #ifndef CONTACTD_MODELICA_H
 #define CONTACTD_MODELICA_H
 
@@ -17,8 +18,8 @@ static void contactd_modelica_check(int32_t code, const void* handle) {
     if (code != CONTACTD_OK) ModelicaFormatError("contactd: %s\n", contactd_last_error(handle));
 }
 
-/* endpoint: "local", or that of a daemon; side: "left", "right"; model: "full", "fastsim" and so on; element: m.
- * A failure does not return, so that nothing has to be given back. */
+/* endpoint: "local", or that of a daemon; side: "left", "right"; model: "full", "fastsim" and so on; element: m. The
+ * function does not return after a failure, so nothing has to be freed. */
 static void* contactd_modelica_open(const char* endpoint, const char* side, const char* model, double friction,
                                     double element) {
     contactd_modelica_wheel* of = (contactd_modelica_wheel*)calloc(1, sizeof *of);
@@ -41,8 +42,8 @@ static void contactd_modelica_close(void* object) {
     free(of);
 }
 
-/* wrench[6]: forces and moments on the rail in the wheelset's axes, about its centre. The same values have the same
- * answer, whatever was solved before, as a function of Modelica must. */
+/* wrench[6]: forces and moments on the rail in the wheelset's axes, about its centre. Equal values have equal answers,
+ * independent of earlier solves, as Modelica requires of a function. */
 static void contactd_modelica_solve(void* object, double y, double yaw, double velocity, double y_rate, double yaw_rate,
                                     double pitch_rate, double load, double* wrench, int size) {
     contactd_modelica_wheel* of = (contactd_modelica_wheel*)object;
@@ -57,7 +58,7 @@ static void contactd_modelica_solve(void* object, double y, double yaw, double v
     contactd_modelica_check(contactd_set(wheel, "state.Fz", load), wheel);
     contactd_modelica_check(of->solved ? contactd_step_again(wheel) : contactd_wheel_solve(wheel), wheel);
     if (!of->solved) {
-        /* The first solve may start otherwise than those that start anew. */
+        /* The first solve may start differently from later ones. */
         of->solved = 1;
         contactd_modelica_check(contactd_step_again(wheel), wheel);
     }
