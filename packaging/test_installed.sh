@@ -69,7 +69,7 @@ apt-get remove -y -qq $packages >/tmp/remove.log 2>&1 || { cat /tmp/remove.log >
 [ -e /etc/contactd/contactd.json ] || fail "removal took the configuration"
 [ -d /var/lib/contactd ] || fail "removal took the tables"
 [ ! -e /usr/bin/contactd ] || fail "removal left the daemon"
-# dpkg is used because apt no longer knows packages that were removed completely.
+# Uses dpkg, because apt no longer lists packages that were removed completely.
 dpkg --purge $packages >/tmp/purge.log 2>&1 || { cat /tmp/purge.log >&2; fail "purging failed"; }
 files >/tmp/after
 left=$(comm -13 /tmp/before /tmp/after | grep -i contactd || true)

@@ -20,7 +20,7 @@ for library in "$build"/lib/*.so.*.*.* "$build"/lib/fmu/*.so; do
     [ -z "$asked" ] || { say "$(basename "$library") asks for $asked"; exit 1; }
 done
 
-# The store that this machine has filled.
+# Uses the store that this machine has filled.
 rm -rf "$cases/arm64"
 mkdir -p "$cases/arm64"
 cp -r "$cases/linux/Tafeln für Räder" "$cases/linux/cases of "* "$cases/arm64/"

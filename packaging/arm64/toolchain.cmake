@@ -1,5 +1,5 @@
-# For Linux on arm64: Debian's g++-aarch64-linux-gnu, and libraries of arm64 beside those of this machine. What is built runs here by
-# QEMU, which checks of CMake do.
+# Configures builds for Linux on arm64: Debian's g++-aarch64-linux-gnu, and libraries of arm64 next to those of this
+# machine. QEMU runs the results here, as CMake's checks require.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR aarch64)
 set(triple aarch64-linux-gnu)

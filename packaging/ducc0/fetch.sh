@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# packaging/ducc0/fetch.sh FOLDER: the headers of ducc0's FFT, as they are, to FOLDER/{include,licenses}. ducc0 as a whole is
-# under the GPL; its FFT and what this includes are BSD-3-Clause or GPL, and nothing else is kept.
+# packaging/ducc0/fetch.sh FOLDER puts the headers of ducc0's FFT, unchanged, into FOLDER/{include,licenses}. ducc0 as a
+# whole is under the GPL. Its FFT and the headers included by it are BSD-3-Clause or GPL, and nothing else is kept.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "$0")")
@@ -19,7 +19,7 @@ for header in fft/fft1d_impl fft/fft infra/{aligned_array,error_handling,mav,mis
     grep -q 'SPDX-License-Identifier: BSD-3-Clause OR GPL-2.0-or-later' "ducc0/$header.h"
     install -D -m 644 "ducc0/$header.h" "$folder/include/ducc0/$header.h"
 done
-# The copyright notice and the licence that the binaries come under, from the head of the FFT.
+# Extracts the copyright notice and the licence of the binaries from the head of the FFT.
 awk '/SPDX/ { next } /This code is free software/ { exit } { print }' ducc0/fft/fft1d_impl.h | sed '/^\/\*$/d; /^\*\/$/d; /^ \*$/d' >"$folder/licenses/ducc0"
 sed -n 's/^ducc0==\([0-9.]*\).*/\1/p' "$here/requirements.txt" >"$folder/version"
 basename "$scratch"/ducc0-*.tar.gz >"$folder/sources.txt"

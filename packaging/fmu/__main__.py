@@ -26,7 +26,7 @@ sys.path.append(str(Path(__file__).parents[1] / "wheels"))
 from inside import licenses_of, origins_of, refuse_links
 
 ROOT = Path(__file__).parents[2]
-#: Folders in which FMI 2 and 3 look for the shared object.
+#: Maps versions of FMI to the folders of the shared object.
 PLATFORMS = {2: "linux64", 3: "x86_64-linux"}
 OF_WINDOWS = {2: "win64", 3: "x86_64-windows"}
 OF_ARM64 = {3: "aarch64-linux"}

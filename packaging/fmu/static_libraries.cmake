@@ -1,4 +1,4 @@
-# Settings of the preset fmu: those of wheels, and ZeroMQ from zeromq.sh as the target that cppzmq links.
+# Configures the preset fmu: the settings of wheels, and ZeroMQ from zeromq.sh as the target that cppzmq links.
 include(${CMAKE_CURRENT_LIST_DIR}/../wheels/static_libraries.cmake)
 find_package(Threads REQUIRED)
 find_library(CONTACTD_STATIC_SODIUM libsodium.a REQUIRED)

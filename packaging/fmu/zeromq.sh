@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# packaging/fmu/zeromq.sh FOLDER: ZeroMQ as an archive that FMUs have inside, to FOLDER/{include,lib,licenses}. Debian's is for
-# programs only, and wants Kerberos. The sources, ZeroMQ 4.3.4, lie in those of pyzmq on PyPI.
+# packaging/fmu/zeromq.sh FOLDER builds ZeroMQ as an archive for FMUs in FOLDER/{include,lib,licenses}. Debian's archive
+# cannot be linked into shared objects, and requires Kerberos. The sources of ZeroMQ 4.3.4 are part of those of pyzmq on
+# PyPI.
 set -euo pipefail
 
 pyzmq=25.1.2

@@ -38,7 +38,7 @@ def libraries_in(path: Path) -> Iterator[tuple[str, str]]:
             yield found[1], found[2]
         elif found := re.fullmatch(r"([a-z0-9][a-z0-9.+-]*) (\S+)", line):  # a source package of Debian
             yield found[1], found[2]
-        elif path.suffix != ".whl":  # their metadata have other lines, too
+        elif path.suffix != ".whl":  # their metadata have different lines
             raise ValueError(f"{path.name} lists {line!r}; a name and a version must be read from it")
 
 
@@ -57,7 +57,7 @@ def _lines_in(path: Path) -> list[str]:
         return [*asked, *(line[2:] for line in lines if line.startswith("- "))]
     if path.suffix in (".fmu", ".zip"):
         return _sources_in(path)
-    if path.suffix == ".ssp":  # FMUs have their own list
+    if path.suffix == ".ssp":  # FMUs have a separate list
         with zipfile.ZipFile(path) as archive:
             return [line for name in archive.namelist() if name.endswith(".fmu") for line in _sources_in(io.BytesIO(archive.read(name)))]
     if path.name.endswith(".tar.gz"):

@@ -3,7 +3,7 @@ For a submission, a version needs the address of the release's archive and its S
 parts that were tested here."""
 # ruff: noqa: F403, F405, RUF012
 
-from spack.package import *  # as in all recipes of Spack
+from spack.package import *  # is the convention of recipes for Spack
 
 
 class Contactd(CMakePackage):

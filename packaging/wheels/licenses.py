@@ -21,7 +21,7 @@ class Origins:
         self.packages = sorted({line.split(":")[0] for line in owners.splitlines()})
 
     def sources(self) -> list[str]:
-        """Source packages with their versions in Debian: the source code in the sense of the GPL."""
+        """Returns the source packages with their versions in Debian: the source code in the sense of the GPL."""
         asked = ["dpkg-query", "-W", "-f", "${source:Package} ${source:Version}\n", *self.packages]
         return sorted(set(subprocess.run(asked, capture_output=True, text=True, check=True).stdout.splitlines()))
 

@@ -1,10 +1,10 @@
-/* What Debian 13's glibc has in newer versions only because of what changed beside the computation. Bound to the versions
- * that came first, the module also loads where glibc is older: 2.35, which the unwinding of exceptions takes, and later.
- * Whatever is linked into the module finds these functions before those of the library; nobody outside sees them.
+/* Binds functions of Debian 13's glibc to their older versions, because the newer versions differ in side effects only.
+ * The module then also loads with an older glibc, from 2.35 on, which the unwinding of exceptions requires. Code linked
+ * into the module finds these functions before those of the library; they are not visible outside.
  *
- * fmod 2.38 and hypot 2.35 no longer set errno by a wrapper. The others are strtol, sscanf and their kin as C23 has them,
- * which also read "0b1"; a program of C++20 wants them as they were. Compiled as C11, this file names the older ones.
- * strlcpy came with 2.38 and arc4random with 2.36: ZeroMQ and std::random_device want them, in FMUs. */
+ * fmod 2.38 and hypot 2.35 no longer set errno by a wrapper. The others are strtol, sscanf and similar functions with
+ * the rules of C23, which also read "0b1"; a C++20 program requires the old rules. Compiled as C11, this file names the
+ * older ones. strlcpy was added in 2.38 and arc4random in 2.36: ZeroMQ and std::random_device require them, in FMUs. */
 #undef _GNU_SOURCE
 #include <stdarg.h>
 #include <stdint.h>
@@ -15,7 +15,7 @@
 
 #define HERE __attribute__((visibility("hidden")))
 
-/* The version that glibc began with on this processor. */
+/* Names the first version of glibc for this processor. */
 #ifdef __aarch64__
 #define FIRST "GLIBC_2.17"
 #else

@@ -1,5 +1,5 @@
-# Settings of the preset wheel: libraries are linked as archives where available, those of static_libraries.sh before
-# Debian's.
+# Configures the preset wheel: libraries are linked as archives where available, first those of static_libraries.sh,
+# then Debian's.
 set(CMAKE_FIND_LIBRARY_SUFFIXES .a .so)
 set(HDF5_USE_STATIC_LIBRARIES ON)
 find_package(ZLIB REQUIRED) # HDF5 refers to it as a target without looking for it

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# packaging/wheels/static_libraries.sh FOLDER: the libraries that a module of Python has inside, of which Debian has none
-# that can be: HDF5 without what it would fetch files from the network with, reproc, and the core of prometheus-cpp.
-# From the sources of the same Debian release, whose licences they bring along, to FOLDER/{include,lib,licenses}.
+# packaging/wheels/static_libraries.sh FOLDER builds the libraries inside a Python module that Debian does not provide
+# as suitable archives: HDF5 without network access, reproc, and the core of prometheus-cpp. The sources are those of
+# the same Debian release. Results and licences are in FOLDER/{include,lib,licenses}.
 set -euo pipefail
 
 folder=$(realpath -m "$1")
@@ -9,7 +9,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 
-# apt of its own, which knows of sources and leaves the machine's lists as they are.
+# Uses a separate configuration of apt, which includes sources and does not change the machine's lists.
 apt_of_sources() {
     apt-get -q -o Dir::Etc::SourceList="$scratch/sources.list" -o Dir::Etc::SourceParts=/dev/null \
         -o Dir::State::Lists="$scratch/lists" -o Dir::Cache="$scratch/cache" -o APT::Sandbox::User=root "$@"
@@ -21,19 +21,19 @@ get_sources() {
         { grep ' main$' || true; } | sort -u >sources.list
     [ -s sources.list ] || sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >sources.list
     apt_of_sources update
-    # Only their authors' archives are needed: a mirror that lacks Debian's part of a source will do.
+    # Only the authors' archives are needed, so a mirror may lack Debian's part of a source.
     apt_of_sources source --download-only hdf5 reproc prometheus-cpp || true
 }
 
-# library NAME OPTIONS...: built and installed without shared libraries. Nothing in them tells of this machine and of today: who
-# builds them elsewhere has the same bytes.
+# library NAME OPTIONS... builds and installs a library without shared objects. The result does not depend on the
+# machine and the date, so that it is reproducible.
 library() {
     local name=$1
     shift
     ls "$name"_*.orig.tar.* >/dev/null 2>&1 || { echo "the sources of $name cannot be had from this mirror" >&2 && exit 1; }
     mkdir "$name"
     tar -xf "$name"_*.orig.tar.* -C "$name" --strip-components=1
-    # HDF5 would tell of this machine and of today.
+    # HDF5 would record the machine and the date.
     [ ! -e "$name/src/H5build_settings.off.c.in" ] || cp "$name"/src/H5build_settings.{off,cmake}.c.in
     cmake -S "$name" -B "$name-build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX="$folder" \
         -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_POSITION_INDEPENDENT_CODE=ON -DBUILD_SHARED_LIBS=OFF \

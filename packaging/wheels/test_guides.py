@@ -30,7 +30,7 @@ def run(guide: Path, **names: Any) -> dict[str, Any]:
 
 
 def run_page(guide: Path) -> None:
-    runpy.run_path("/srv/support/contact_hertz.py")["write_case"](Path())  # files that an example reads
+    runpy.run_path("/srv/support/contact_hertz.py")["write_case"](Path())  # contains files that an example reads
     with contactd.LocalDaemon() as daemon, daemon.client() as client:
         names = run(guide, client=client)
         table, solution = names["table"], names["solution"]

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# packaging/windows/python.sh FOLDER: what a module of Python for Windows is compiled and linked with, to FOLDER/{include,lib}: the
-# headers, and an import library of python3.dll, which has the stable ABI in all versions. From the sources of the same Debian release.
+# packaging/windows/python.sh FOLDER provides the files for compiling and linking a Python module for Windows in
+# FOLDER/{include,lib}: the headers, and an import library of python3.dll, which has the stable ABI in all versions. The
+# sources are those of the same Debian release.
 set -euo pipefail
 
 folder=$(realpath -m "$1")
@@ -10,7 +11,7 @@ cd "$scratch"
 
 mkdir -p lists/partial cache/archives/partial
 sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >sources.list
-# apt of its own, which knows of sources and leaves the machine's lists as they are.
+# Uses a separate configuration of apt, which includes sources and does not change the machine's lists.
 for asked in update "source --download-only python3.13"; do
     apt-get -q -o Dir::Etc::SourceList="$scratch/sources.list" -o Dir::Etc::SourceParts=/dev/null \
         -o Dir::State::Lists="$scratch/lists" -o Dir::Cache="$scratch/cache" -o APT::Sandbox::User=root $asked || true
@@ -23,7 +24,7 @@ rm -rf "$folder"
 mkdir -p "$folder/lib"
 cp -r python/Include "$folder/include"
 cp python/PC/pyconfig.h.in "$folder/include/pyconfig.h"
-# Python's own list of what python3.dll shows: functions, and data.
+# Extracts Python's own list of the functions and data that python3.dll exports.
 {
     echo "LIBRARY python3.dll"
     echo EXPORTS

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# packaging/windows/static_libraries.sh FOLDER: HDF5, zlib and the core of prometheus-cpp for Windows as archives that DLLs have
-# inside, from the sources of the same Debian release, whose licences they bring along, to FOLDER/{include,lib,licenses}.
+# packaging/windows/static_libraries.sh FOLDER builds HDF5, zlib and the core of prometheus-cpp for Windows as archives
+# inside DLLs. The sources are those of the same Debian release. Results and licences are in
+# FOLDER/{include,lib,licenses}.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "$0")")
@@ -10,7 +11,7 @@ trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 export CONTACTD_STATIC_LIBRARIES=$folder
 
-# apt of its own, which knows of sources and leaves the machine's lists as they are.
+# Uses a separate configuration of apt, which includes sources and does not change the machine's lists.
 apt_of_sources() {
     apt-get -q -o Dir::Etc::SourceList="$scratch/sources.list" -o Dir::Etc::SourceParts=/dev/null \
         -o Dir::State::Lists="$scratch/lists" -o Dir::Cache="$scratch/cache" -o APT::Sandbox::User=root "$@"
@@ -20,19 +21,19 @@ get_sources() {
     mkdir -p lists/partial cache/archives/partial
     sed -n 's/^deb /deb-src /p' /etc/apt/sources.list >sources.list
     apt_of_sources update
-    # Only their authors' archives are needed: a mirror that lacks Debian's part of a source will do.
+    # Only the authors' archives are needed, so a mirror may lack Debian's part of a source.
     apt_of_sources source --download-only hdf5 prometheus-cpp zlib || true
 }
 
-# configured NAME OPTIONS...: unpacked, and ready to be built without shared libraries. Nothing in them tells of this machine and of
-# today: who builds them elsewhere has the same bytes.
+# configured NAME OPTIONS... unpacks and configures a library without shared objects. The result does not depend on the
+# machine and the date, so that it is reproducible.
 configured() {
     local name=$1 flags="-Wa,-muse-unaligned-vector-move -D_GNU_SOURCE -ffile-prefix-map=$scratch/="
     shift
     ls "$name"_*.orig.tar.* >/dev/null 2>&1 || { echo "the sources of $name cannot be had from this mirror" >&2 && exit 1; }
     mkdir "$name"
     tar -xf "$name"_*.orig.tar.* -C "$name" --strip-components=1
-    # HDF5 would tell of this machine and of today.
+    # HDF5 would record the machine and the date.
     [ ! -e "$name/src/H5build_settings.off.c.in" ] || cp "$name"/src/H5build_settings.{off,cmake}.c.in
     mkdir -p "$folder/licenses"
     find "$name" -maxdepth 1 \( -name 'COPYING*' -o -name 'LICENSE*' \) -type f -exec cat {} + >"$folder/licenses/$name"
@@ -47,7 +48,7 @@ built() { cmake --build "$@" ${CONTACTD_JOBS:+-j "$CONTACTD_JOBS"}; }
 rm -rf "$folder"
 mkdir -p "$folder"/{include,lib}
 get_sources
-# zlib installs what its shared library takes, too, of which Debian's archive lacks a part.
+# zlib also installs files of its shared library, some of which Debian's archive lacks.
 configured zlib
 built zlib-build --target zlibstatic
 cp zlib-build/libzlibstatic.a "$folder/lib/libz.a"

@@ -20,7 +20,7 @@ for dll in "$build"/lib/*.dll "$build"/lib/{fmu/*.dll,python/*.pyd}; do
     [ -z "$asked" ] || { say "$(basename "$dll") asks for $asked, which Windows has not"; exit 1; }
 done
 
-# The store filled by Linux, at a path with blanks and umlauts.
+# Uses the store filled by Linux, at a path with blanks and umlauts.
 rm -rf "$cases/windows"
 mkdir -p "$cases/windows"
 cp -r "$cases/linux/Tafeln für Räder" "$cases/linux/cases of "* "$cases/windows/"

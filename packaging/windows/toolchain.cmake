@@ -1,4 +1,5 @@
-# For Windows on x86-64, whose C runtime is the universal one (Windows 10 and newer): Debian's g++-mingw-w64-ucrt64.
+# Configures builds for Windows on x86-64 with the universal C runtime (Windows 10 and newer), by Debian's
+# g++-mingw-w64-ucrt64.
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(triple x86_64-w64-mingw32ucrt)
@@ -9,13 +10,14 @@ set(CMAKE_RC_COMPILER ${triple}-windres)
 set(CMAKE_FIND_ROOT_PATH /usr/${triple} $ENV{CONTACTD_STATIC_LIBRARIES})
 set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
 set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
-# Eigen and nlohmann-json are headers, and Debian's own.
+# Eigen and nlohmann-json consist of headers, so Debian's own are used.
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE BOTH)
-# GCC takes stack slots of 32 bytes for aligned, and Windows aligns them to 16 (its bug 54412): moves that do not ask for it.
+# GCC assumes that stack slots of 32 bytes are aligned, but Windows aligns them to 16 (GCC bug 54412). Therefore
+# unaligned moves are used.
 set(CMAKE_C_FLAGS_INIT "-Wa,-muse-unaligned-vector-move")
 set(CMAKE_CXX_FLAGS_INIT "-Wa,-muse-unaligned-vector-move")
-# A DLL is one file: the runtimes of C++, of threads and of Fortran are inside.
+# A DLL is one file, so it contains the runtimes of C++, of threads and of Fortran.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-static")
 set(CMAKE_SHARED_LINKER_FLAGS_INIT "-static")
 set(CMAKE_MODULE_LINKER_FLAGS_INIT "-static")

@@ -10,7 +10,7 @@ from .cpp import NOTE, formatted
 from .declarations import ROOT, Declarations, Schema, is_custom
 
 GENERATED = ROOT / "client" / "c" / "generated"
-#: What paths begin with in contactd.h, and the schema there.
+#: Maps the beginnings of paths in contactd.h to their schemas.
 INPUTS = [
     ("setup", "definitions.json#/definitions/wheel_rail_setup"),
     ("state", "definitions.json#/definitions/wheel_rail_state"),
@@ -34,7 +34,7 @@ TITLED = {
     "inputs of a wheel": INPUTS,
     "results of a wheel": RESULTS,
 }
-#: Objects with a form of their own on the wire whose fields contactd.h nevertheless has.
+#: Objects with a special form on the wire whose fields are nevertheless part of contactd.h.
 WITH_FIELDS = re.compile(r"(setup\.)?bodies\b|ics\b|columns\.frames|friction\.(rolling\.)?force|motion\b")
 #: Fields below these have no constants: they repeat the fields of "ics" or the evidence of ic.get.
 NOT_BELOW = re.compile(r"bodies\.\w+\.ics|ics\.\w+\.evidence")

@@ -65,7 +65,7 @@ _BOUNDS = {"minimum": ("least", False), "exclusiveMinimum": ("least", True), "ma
 
 
 class DeclarationError(Exception):
-    """A declaration that contradicts another one or is not understood."""
+    """Reports a declaration that contradicts another one or is not understood."""
 
 
 @dataclass(frozen=True)
@@ -78,8 +78,8 @@ class Bounds:
 
 @dataclass(frozen=True)
 class Field:
-    """A member of a struct. `type` is the struct or enum of its value, as `x-cpp` names it, or None. `at` is the path
-    to the member if that differs from the member with the field's name."""
+    """Describes a member of a struct. `type` is the struct or enum of its value, as `x-cpp` names it, or None. `at` is
+    the path to the member if that differs from the member with the field's name."""
 
     name: str
     type: str | None
@@ -94,8 +94,8 @@ class Field:
 
 @dataclass(frozen=True)
 class Struct:
-    """A struct and its fields. `owners` are the structs that own the fields if the fields form no struct of their own.
-    A tuple is a list on the wire."""
+    """Describes a struct and its fields. `owners` are the structs that own the fields if the fields form no separate
+    struct. A tuple is a list on the wire."""
 
     name: str
     fields: tuple[Field, ...]

@@ -1,4 +1,4 @@
-// The findings of ZeroMQ's own configuration on Linux with glibc.
+// Contains the results of ZeroMQ's own configuration on Linux with glibc.
 #ifndef __ZMQ_PLATFORM_HPP_INCLUDED__
 #define __ZMQ_PLATFORM_HPP_INCLUDED__
 

@@ -1,4 +1,4 @@
-"""The platform of the wheel. The wheel contains its own glibc, so that of the machine may be as old as its kernel
+"""Sets the platform of the wheel. The wheel contains its own glibc, so that of the machine may be as old as its kernel
 supports."""
 
 from setuptools import setup

@@ -1,4 +1,4 @@
-"""A module that is copied, not compiled, and serves all versions of Python from 3.10 on."""
+"""Packs a module that is copied, not compiled, and serves all versions of Python from 3.10 on."""
 
 import os
 import shutil

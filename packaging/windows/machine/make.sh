@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# packaging/windows/machine/make.sh FOLDER: a Python for Windows of requirements.txt, in FOLDER/python, and what it imports beside its own, in
-# FOLDER/site.
+# packaging/windows/machine/make.sh FOLDER puts a Python for Windows with the packages of requirements.txt into
+# FOLDER/python, and packages imported in addition to its own into FOLDER/site.
 set -euo pipefail
 
 here=$(dirname "$(readlink -f "$0")")
