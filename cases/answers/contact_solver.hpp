@@ -12,7 +12,7 @@
 
 namespace contactd::cases {
 
-/// Displacements of the upper body minus those of the lower body (mm), one for each element.
+/// Holds displacements of the upper body minus those of the lower body (mm), one for each element.
 struct Displacements {
     std::vector<double> x, y, z;  ///< z is the sum for both bodies, which separates them
 };

@@ -1,4 +1,4 @@
-// Results with one number for each element, as CONTACT prints them. An empty array stands for zeros.
+// Holds results with one number for each element, as CONTACT prints them. An empty array represents zeros.
 #pragma once
 
 #include <vector>

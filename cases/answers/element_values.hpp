@@ -1,4 +1,4 @@
-// Values of elements in CONTACT's conventions, from a solution of core.
+// Computes values of elements in CONTACT's conventions, from a solution of core.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Solved contacts by the names under which CONTACT prints them.
+// Holds solved contacts by the names under which CONTACT prints them.
 #pragma once
 
 #include "answers/solved.hpp"

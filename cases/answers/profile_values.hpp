@@ -8,7 +8,7 @@
 
 namespace contactd::cases {
 
-/// The arguments of cntc_getprofilevalues.
+/// Holds the arguments of cntc_getprofilevalues.
 struct ProfileQuery {
     int task = 0;
     bool wheel = false;

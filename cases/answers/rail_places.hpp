@@ -1,4 +1,4 @@
-// Positions of a wheel, its rail and its patches, and the forces, in the axes that CONTACT prints.
+// Computes positions of a wheel, its rail and its patches, and the forces, in the axes that CONTACT prints.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace contactd::cases {
 
-/// The profile curves of wheel and rail, and their set-up.
+/// Holds the profile curves of wheel and rail, and their set-up.
 struct RailOutlines {
     WheelRailSetup setup;  ///< without friction
     geometry::Profiles profiles;

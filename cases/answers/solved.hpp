@@ -1,4 +1,4 @@
-// A solved contact problem with derived results.
+// Holds a solved contact problem with derived results.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-// Blocks of points inside the bodies, and their stresses.
+// Computes blocks of points inside the bodies, and their stresses.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ struct GivenBlock {
     bool operator==(const GivenBlock&) const = default;
 };
 
-/// Stresses in a block, with z > 0 inside the upper body.
+/// Holds stresses in a block, with z > 0 inside the upper body.
 struct SolvedBlock {
     GivenBlock given;
     StressBlock points;  ///< (mm), with z as given

@@ -1,4 +1,4 @@
-// Checks of the numbers of a case.
+// Checks the numbers of a case.
 #pragma once
 
 namespace contactd::cases {

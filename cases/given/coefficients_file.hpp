@@ -1,4 +1,4 @@
-// Influence coefficients from a file in CONTACT's format (C = 9).
+// Reads influence coefficients from a file in CONTACT's format (C = 9).
 #pragma once
 
 #include <string>

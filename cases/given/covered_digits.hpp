@@ -1,4 +1,4 @@
-// Supported values of the control digits.
+// Lists supported values of the control digits.
 #pragma once
 
 #include "given/given.hpp"

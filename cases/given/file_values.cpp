@@ -29,7 +29,7 @@ namespace {
 constexpr Units units_of_files = units_mm_on_body_1;
 constexpr std::uintmax_t most_coefficients_bytes = std::uintmax_t{1} << 31;  ///< size of 4 million offsets
 
-/// The values of a case by their names.
+/// Holds the values of a case by their names.
 struct Values {
     const ContactCase& read;
 
@@ -131,7 +131,7 @@ void set_friction(Given& given, const Values& of) {
     given.friction = varying_friction(law, varies, places, units_of_files);
 }
 
-/// The values of the potential contact after MX and MY, by IPOTCN.
+/// Names the values of the potential contact after MX and MY, by IPOTCN.
 const std::map<int, std::vector<const char*>> names_of_areas{
     {-6, {"AA", "BNEG", "BPOS", "SCALE"}}, {-5, {"AA", "BB", "SCALE"}},   {-4, {"A1", "BB", "SCALE"}},
     {-3, {"AA", "BB", "SCALE"}},           {-2, {"A1", "AOB", "SCALE"}},  {-1, {"A1", "B1", "SCALE"}},

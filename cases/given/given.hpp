@@ -1,4 +1,4 @@
-// The values of a case of CONTACT, from a file or from a program, in mm, N, s and rad.
+// Holds the values of a case of CONTACT, from a file or from a program, in mm, N, s and rad.
 #pragma once
 
 #include <array>
@@ -18,7 +18,8 @@
 
 namespace contactd::cases {
 
-/// A Hertzian contact by curvatures or semi-axes. The elements divide `scale` times the box of its contact area.
+/// Describes a Hertzian contact by curvatures or semi-axes. The elements divide `scale` times the box of its contact
+/// area.
 struct HertzArea {
     int option = 0;      ///< -1 to -6
     int mx = 0, my = 0;  ///< numbers of elements
@@ -58,13 +59,13 @@ struct GivenMotion {
     double length = 1;  ///< the unit of length (mm)
 };
 
-/// An extra rigid slip with one value for each element.
+/// Holds an extra rigid slip with one value for each element.
 struct GivenSlip {
     std::vector<double> x, y;
     double length = 1;
 };
 
-/// Tangential force divided by fstat Fn, on the upper body in all systems of units.
+/// Holds the tangential force divided by fstat Fn, on the upper body in all systems of units.
 struct RelativeForce {
     double x = 0, y = 0;
 };
@@ -75,18 +76,18 @@ struct GivenFriction {
                      ///< 30 for friction by rows of elements
     std::vector<double> parameters;
     FrictionLaw law;
-    /// The law at an angle (rad), for friction that varies with the rail's angle; in ascending order.
+    /// Holds the law at an angle (rad), for friction that varies with the rail's angle; in ascending order.
     struct AtAngle {
         double angle = 0;
         FrictionLaw law;
     };
     std::vector<AtAngle> by_angle{};
-    /// The numbers of the law at each place, in ascending order, for friction that varies along the track.
+    /// Contains the numbers of the law at each place, in ascending order, for friction that varies along the track.
     std::vector<ContactFrictionAtPlace> along_track{};
     std::vector<FrictionLaw> by_row{};  ///< the law of each row of elements
 };
 
-/// The control digits of a case, with their defaults.
+/// Holds the control digits of a case, with their defaults.
 struct Digits {
     int configuration = 0;   ///< C1
     int previous = 2;        ///< P

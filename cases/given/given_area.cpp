@@ -43,7 +43,7 @@ HertzArea half_ellipses(const std::vector<double>& given, const Units& units) {
     return {of_halves, mx, my, a, (negative + towards_y) / 2, positive(given[5], "SCALE"), negative, towards_y};
 }
 
-/// The lower edge of the grid and the size of an element along one axis (mm).
+/// Holds the lower edge of the grid and the size of an element along one axis (mm).
 struct Interval {
     double low, size;
 };

@@ -1,4 +1,4 @@
-// The potential contact area and the undeformed distance from CONTACT's numbers.
+// Determines the potential contact area and the undeformed distance from CONTACT's numbers.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// Bodies, the layer between them, their heat and the solvers, from CONTACT's numbers.
+// Determines bodies, the layer between them, their heat and the solvers, from CONTACT's numbers.
 #pragma once
 
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace contactd::cases {
 
-/// Methods of materials, the values of the digit M.
+/// Names methods of materials, the values of the digit M.
 namespace material {
 inline constexpr int elastic = 0, viscoelastic = 1, fastsim = 3, layered = 4, fastrip = 5;
 }  // namespace material

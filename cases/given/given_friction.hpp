@@ -13,7 +13,7 @@ namespace contactd::cases {
 namespace law {
 inline constexpr int coulomb = 0, keeps = 1, linear = 2, rational = 3, exponential = 4, polach = 5, by_temperature = 6;
 }  // namespace law
-/// Variation of friction, the values of the digit V.
+/// Names variation of friction, the values of the digit V.
 namespace varies {
 inline constexpr int nowhere = 0, by_angle = 1, along_track = 2, by_row = 3;
 }  // namespace varies
@@ -21,7 +21,7 @@ inline constexpr int nowhere = 0, by_angle = 1, along_track = 2, by_row = 3;
 /// Returns the number of values of a law, including those of its memory, or 0 for an unknown law.
 int friction_numbers(int law);
 
-/// The numbers of a law at an angle (rad), at a place or in a row.
+/// Holds the numbers of a law at an angle (rad), at a place or in a row.
 struct FrictionAt {
     double place = 0;
     std::vector<double> numbers;

@@ -11,7 +11,7 @@
 
 namespace contactd::cases {
 
-/// Options for reading the points of a profile.
+/// Holds options for reading the points of a profile.
 struct ProfileOptions {
     std::optional<bool> wheel{};  ///< if absent, the ending of the file name decides
     int mirror_y = 0;             ///< 1: mirrored; -1: not mirrored, even if the file requests it
@@ -22,7 +22,7 @@ struct ProfileOptions {
     KinkRule kinks{};
 };
 
-/// The options of a file or a table in CONTACT's numbers. Zero or negative numbers stand for defaults.
+/// Holds the options of a file or a table in CONTACT's numbers. Zero or negative numbers select defaults.
 struct ProfileNumbers {
     int mirror_y = 0, mirror_z = 0, smoother = 0;
     double scale = 0, smoothing = 0, kink_high = 0, kink_low = 0;

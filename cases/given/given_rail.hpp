@@ -1,4 +1,4 @@
-// The values of a case of CONTACT for a wheel on a rail, from a file or from a program, in mm, N, s and rad.
+// Holds the values of a case of CONTACT for a wheel on a rail, from a file or from a program, in mm, N, s and rad.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct GivenTrack {
     bool operator==(const GivenTrack&) const = default;
 };
 
-/// A profile, or the slices of a varying profile.
+/// Holds a profile, or the slices of a varying profile.
 struct GivenSurface {
     std::optional<ProfileSpec> profile{};
     std::vector<RailSlice> rail_slices{};
@@ -33,7 +33,7 @@ struct GivenSurface {
     bool operator==(const GivenSurface&) const = default;
 };
 
-/// Element sizes and rules of patches (mm, rad).
+/// Holds element sizes and rules of patches (mm, rad).
 struct GivenElements {
     double dx = 0, ds = 0;
     double angle_separate = 1.5707963267948966;

@@ -1,4 +1,4 @@
-// The files that a case names: profiles, lists of slices, influence coefficients.
+// Provides the files that a case names: profiles, lists of slices, influence coefficients.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ class FilesInFolder : public NamedFiles {
     std::filesystem::path folder_;
 };
 
-/// Files whose contents came with the case.
+/// Provides files whose contents came with the case.
 class GivenFiles : public NamedFiles {
    public:
     explicit GivenFiles(std::vector<NamedFile> files);

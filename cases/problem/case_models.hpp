@@ -1,4 +1,4 @@
-// The models for the digits B and M.
+// Selects the models for the digits B and M.
 #pragma once
 
 #include <optional>

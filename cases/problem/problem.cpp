@@ -111,7 +111,7 @@ bool has_split_spin(const Given& settings) {
     return settings.digits.extra_slip == 2 || settings.digits.extra_slip == 3;
 }
 
-/// The motion of the origin, in mm and rad: creepages and spin, or shift and rotation.
+/// Holds the motion of the origin, in mm and rad: creepages and spin, or shift and rotation.
 struct PlaneMotion {
     double x, y, phi;
 };

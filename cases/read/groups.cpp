@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_warnings = 20;  // largest number of warnings of a case, and of errors
 
-/// The specification of a value of a group.
+/// Holds the specification of a value of a group.
 struct Item {
     std::string_view name;
     char kind = ' ';  ///< #, ^, ' or a blank
@@ -53,7 +53,7 @@ const char* kind_of(const Item& item) {
     }
 }
 
-/// The words of a group, from the current line and the following ones.
+/// Reads the words of a group, from the current line and the following ones.
 class WordsOfGroup {
    public:
     WordsOfGroup(Reading& reading, std::size_t most) : reading_(reading), most_(most) {}

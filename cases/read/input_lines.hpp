@@ -1,4 +1,4 @@
-// Lines and words of input files of CONTACT.
+// Reads lines and words of input files of CONTACT.
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,7 @@ namespace contact_files {
 /// Identifies the memory of a case: module, result element and contact problem, which are 0 if they are not given.
 using HistoryKey = std::tuple<int, int, int>;
 
-/// The content of a MODULE line.
+/// Holds the content of a MODULE line.
 struct ModuleLine {
     int module = 0;
     std::optional<int> reid, cpid;

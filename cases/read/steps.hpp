@@ -1,4 +1,4 @@
-// The parts of a case, in the order of the file.
+// Lists the parts of a case, in the order of the file.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace contactd::contact_files {
 struct Step {
     /// Returns the group in the syntax of read_values, or an empty string if the digits of the case exclude it.
     std::string (*group)(const Reading&) = nullptr;
-    /// Names of values that the group replaces.
+    /// Lists names of values that the group replaces.
     std::string_view replaces = {};
     void (*read)(Reading&) = nullptr;  ///< used instead of `group`
 };

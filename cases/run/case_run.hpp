@@ -52,7 +52,7 @@ class CaseRun {
     struct History {
         std::optional<Solved> solved{};  ///< the last case of module 3
         RailHistory rail{};
-        /// Rows of the patches of the last step and of the one before, along the surface of the rail (mm).
+        /// Contains rows of the patches of the last step and of the one before, along the surface of the rail (mm).
         std::vector<Extent> rows{}, rows_before{};
         bool has_rows = false;
         std::string broken{};  ///< the reason why the cases that follow cannot continue; empty if they can

@@ -1,4 +1,4 @@
-// Two columns, as tables, spreadsheets and other programs write them.
+// Reads two columns, as written by tables, spreadsheets and other programs.
 #include <algorithm>
 #include <string>
 #include <vector>

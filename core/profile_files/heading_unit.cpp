@@ -1,4 +1,4 @@
-// The unit that headings and comments above the points of a file state.
+// Finds the unit in headings and comments above the points of a file.
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -31,7 +31,7 @@ std::string in_small_letters(std::string_view text) {
     return small;
 }
 
-/// The unit that a word names; nothing for other words.
+/// Returns the unit that a word names, or nothing for other words.
 std::optional<double> unit_named(std::string_view word) {
     if (word == "M") return {};  // a letter of many other meanings
     std::string name = in_small_letters(word);

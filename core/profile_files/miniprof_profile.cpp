@@ -1,4 +1,4 @@
-// MiniProf's files of all years: a head of keys, and the points.
+// Reads MiniProf's files of all years: a head of keys, and the points.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ bool begins_a_word(std::string_view text) {
     return (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
 }
 
-/// What the head of a MiniProf file says of its points.
+/// Holds the properties of the points in the head of a MiniProf file.
 struct MiniprofHead {
     std::size_t columns = 0, x = 0, y = 1;  // 0 columns: as many as there are
     double x_offset = 0, y_offset = 0;

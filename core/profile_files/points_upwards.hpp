@@ -1,4 +1,4 @@
-// Which way z points, as the shape of a profile says it.
+// Determines the direction of z from the shape of a profile.
 #pragma once
 
 #include <optional>

@@ -23,7 +23,7 @@ using geometry::FilePoints;
 
 constexpr double narrowest_wheel = 25, narrowest_rail = 12, widest = 500;  // mm: what is beyond is of another unit
 
-/// Ending of a file's name, in small letters.
+/// Returns the extension of a file's name, in small letters.
 std::string ending_of(const std::string& name) {
     const auto dot = name.rfind('.');
     std::string ending = dot == name.npos ? "" : name.substr(dot + 1);

@@ -17,14 +17,14 @@
 
 namespace contactd {
 
-/// A file that cases name: a profile, a list of slices, or influence coefficients.
+/// Holds a file that cases name: a profile, a list of slices, or influence coefficients.
 struct NamedFile {
     std::string name;       ///< as in the cases, with '/' between folders; profiles of a list of slices lie beside it
     std::string text{};     ///< its content
     std::string failure{};  ///< the reason if it could not be read, for the sentence of the cases that need it
 };
 
-/// An input file with the files that it names.
+/// Holds an input file with the files that it names.
 struct ContactFileInput {
     std::string text;
     std::string name = "text";  ///< for messages
@@ -42,14 +42,14 @@ struct ContactFileInput {
 /// error.
 enum class ContactFileStatus { solved, not_converged, read, refused, failed, follows, wrong };
 
-/// Stresses and displacements at a block of subsurface points, shape [nz, ny, nx]; z >= 0 in body 1.
+/// Holds stresses and displacements at a block of subsurface points, shape [nz, ny, nx]; z >= 0 in body 1.
 struct ContactFileBlock {
     StressBlock points;                   ///< (mm)
     SubsurfaceDisplacement displacement;  ///< (mm)
     SubsurfaceStress stress;              ///< (N/mm^2)
 };
 
-/// A contact of a case. Forces act on body 1.
+/// Holds a contact of a case. Forces act on body 1.
 struct ContactFilePatch {
     Grid grid;
     /// By CONTACT's names: those of its .out files, and SPINXO, SPINYO. On rails also YCP(R), ZCP(R), XCP(W), YCP(W)
@@ -57,8 +57,8 @@ struct ContactFilePatch {
     ByName<double> numbers;
     std::vector<double> mu;     ///< coefficients at rest: one, or one for each row of a curved contact
     double friction_bound = 0;  ///< coefficient at rest times Fn (N)
-    /// Shape [ny, nx], by CONTACT's names: IGS (0 exterior, 1 adhesion, 2 slip, 3 plastic), H, MU, PN, PX, PY, UX, UY,
-    /// UN, SX, SY, rigid slip WX, WY; for a layer that yields TAUCRT, UPLSX, UPLSY; with heat TEMP1, TEMP2.
+    /// Contains arrays of shape [ny, nx] by CONTACT's names: IGS (0 exterior, 1 adhesion, 2 slip, 3 plastic), H, MU,
+    /// PN, PX, PY, UX, UY, ...
     ByName<std::vector<double>> arrays;
     std::vector<ContactFileBlock> blocks;
     /// Numbers, from 1, of the patches of the last step that share rows of elements with this one. Absent if the step

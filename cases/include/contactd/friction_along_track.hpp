@@ -1,4 +1,4 @@
-// Friction that varies along the track, as in the CONTACT program (V = 2).
+// Describes friction that varies along the track, as in the CONTACT program (V = 2).
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@ struct ContactFrictionAtPlace {
 /// Interpolates each number linearly between places, which must increase. Beyond them it is constant.
 std::vector<double> friction_along_track(const std::vector<ContactFrictionAtPlace>& track, double place);
 
-/// Two neighbouring places (mm), and the difference of their friction coefficients.
+/// Names two neighbouring places (mm), and the difference of their friction coefficients.
 struct ThinFriction {
     double from = 0, to = 0;
     double difference = 0;

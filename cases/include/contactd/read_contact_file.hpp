@@ -14,7 +14,7 @@
 
 namespace contactd {
 
-/// Largest size of an input file of CONTACT.
+/// Limits the size of an input file of CONTACT.
 inline constexpr std::size_t most_contact_file_bytes = 16 << 20;
 
 /// Largest number of cases read at once.
@@ -23,9 +23,9 @@ inline constexpr std::size_t most_contact_cases = 100'000;
 /// Numbers that several cases may share.
 using ContactNumbers = std::shared_ptr<const std::vector<double>>;
 using ContactValue = std::variant<int, double, std::string, ContactNumbers>;
-/// The values of a friction law, preceded by ALPHVF, SVF or IY if friction varies.
+/// Holds the values of a friction law, preceded by ALPHVF, SVF or IY if friction varies.
 using ContactFrictionSets = std::vector<ByName<double>>;
-/// Blocks of points below the surface: ISUBS, and lists by the names of their axes.
+/// Holds blocks of points below the surface: ISUBS, and lists by the names of their axes.
 using ContactBlocks = std::vector<ByName<ContactValue>>;
 
 /// One case as in CONTACT: its control digits, and all values in its memory. Names are those of CONTACT; other names

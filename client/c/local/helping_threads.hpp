@@ -1,4 +1,4 @@
-// Threads that help callers with many tasks, and wait in between.
+// Provides threads that help callers with many tasks, and wait in between.
 #pragma once
 
 #include <condition_variable>
@@ -34,7 +34,7 @@ class HelpingThreads {
     std::list<Work*> works_;  // that take more helpers
     std::vector<std::thread> threads_;
     bool ends_ = false;
-    int generation_ = 0;  // of the process of the threads
+    int generation_ = 0;  // process that created the threads
 };
 
 }  // namespace contactd::c

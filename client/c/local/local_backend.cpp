@@ -1,4 +1,4 @@
-// Contacts in process, with the engine of the daemon.
+// Solves contacts in process, with the engine of the daemon.
 #include <algorithm>
 #include <chrono>
 #include <cstddef>
@@ -74,7 +74,7 @@ void keep_requested(const SolutionFields& fields, ContactSolution& solution) {
     }
 }
 
-/// The current and the previous state of a contact or a wheel.
+/// Holds the current and the previous state of a contact or a wheel.
 class LocalHistory {
    public:
     explicit LocalHistory(StepState start = {}) : here_{std::make_shared<const StepState>(std::move(start)), nullptr} {}
@@ -102,7 +102,7 @@ class LocalHistory {
     void forget(const std::string& state) { saved_.erase(state); }
 
    private:
-    /// The current state, and the initial state of the step that led to it.
+    /// Holds the current state, and the initial state of the step that led to it.
     struct Place {
         StepStatePtr last, before;
     };

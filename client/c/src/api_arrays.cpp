@@ -1,4 +1,4 @@
-// contactd.h: tables of coefficients, and frames of columns.
+// Implements contactd.h: tables of coefficients, and frames of columns.
 #include <optional>
 #include <string>
 #include <utility>

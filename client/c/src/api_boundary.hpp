@@ -1,4 +1,4 @@
-// The boundary of the interface, which no exception leaves.
+// Implements the boundary of the interface, which no exception leaves.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ namespace contactd::c {
 using Connections = Handles<Connection, contactd_connection>;
 using Contacts = Handles<Contact, contactd_contact>;
 using Wheels = Handles<Wheel, contactd_wheel>;
-/// The objects of the process. They are not destroyed at its end.
+/// Holds the objects of the process. They are not destroyed at its end.
 Connections& connections();
 Contacts& contacts();
 Wheels& wheels();

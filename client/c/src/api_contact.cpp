@@ -1,4 +1,4 @@
-// contactd.h: creation, steps and end of contacts.
+// Implements contactd.h: creation, steps and end of contacts.
 #include <memory>
 
 #include "api_boundary.hpp"

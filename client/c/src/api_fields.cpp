@@ -1,4 +1,4 @@
-// contactd.h: fields of contacts and wheels by their paths.
+// Implements contactd.h: fields of contacts and wheels by their paths.
 #include <algorithm>
 #include <array>
 #include <cstring>

@@ -1,4 +1,4 @@
-// contactd.h: the library, and its last failures.
+// Implements contactd.h: the library, and its last failures.
 #include <exception>
 #include <string>
 

@@ -1,4 +1,4 @@
-// contactd.h: steps and states of contacts and wheels.
+// Implements contactd.h: steps and states of contacts and wheels.
 #include "api_boundary.hpp"
 
 using namespace contactd::c;

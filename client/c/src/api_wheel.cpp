@@ -1,4 +1,4 @@
-// contactd.h: creation, solves and end of wheels on rails.
+// Implements contactd.h: creation, solves and end of wheels on rails.
 #include <algorithm>
 #include <exception>
 #include <memory>

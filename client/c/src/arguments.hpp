@@ -1,4 +1,4 @@
-// Checks of arguments, which throw InvalidArgument naming `field`.
+// Checks arguments. All functions throw InvalidArgument naming `field`.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Interface to solvers of contacts: a daemon, or the engine in process.
+// Declares the interface to solvers of contacts: a daemon, or the engine in process.
 #pragma once
 
 #include <chrono>
@@ -20,13 +20,13 @@
 
 namespace contactd::c {
 
-/// The settings of a connection, which apply to contacts created later.
+/// Holds the settings of a connection, which apply to contacts created later.
 struct Settings {
     std::chrono::milliseconds connect_timeout{5'000}, timeout{60'000}, build_timeout{3'600'000};
     std::filesystem::path server_key{}, own_key{};
 };
 
-/// The timeout, cancellation and progress of one call.
+/// Holds the timeout, cancellation and progress of one call.
 struct Control {
     std::optional<std::chrono::milliseconds> timeout{};  ///< instead of that of the settings
     std::stop_token stop{};
@@ -34,8 +34,8 @@ struct Control {
     std::function<void(const std::string& stage, double fraction)> on_progress{};
 };
 
-/// An open contact. For one thread at a time; failed calls leave it unchanged. Calls throw InvalidArgument, StatusError
-/// with the daemon's codes and reasons, and other exceptions in failure.hpp.
+/// Represents an open contact. Use it in one thread at a time; failed calls leave it unchanged. Calls throw
+/// InvalidArgument, StatusError with the daemon's codes and reasons, and other exceptions in failure.hpp.
 class OpenContact {
    public:
     virtual ~OpenContact() = default;
@@ -50,7 +50,7 @@ class OpenContact {
     virtual const IcUses& ics() const = 0;
 };
 
-/// The inputs of a wheel on its rail, and the requested arrays of its patches.
+/// Holds the inputs of a wheel on its rail, and the requested arrays of its patches.
 struct WheelInput {
     WheelRailSetup setup;
     WheelRailState state;
@@ -59,7 +59,7 @@ struct WheelInput {
     bool again = false;  ///< repeats the last solve from its initial state
 };
 
-/// The inputs of both wheels of a wheelset.
+/// Holds the inputs of both wheels of a wheelset.
 struct WheelsetInput {
     WheelsetSetup setup;
     WheelsetState state;
@@ -85,13 +85,13 @@ class OpenWheel {
     virtual WheelsetSolution solve_wheelset(const WheelsetInput& input, const Control& control) = 0;
 };
 
-/// The part of one wheel in a call for several.
+/// Holds the part of one wheel in a call for several.
 struct WheelCall {
     OpenWheel& wheel;
     const WheelInput& input;
     const Control& control;
 };
-/// The solution of a wheel, or the exception of its solve.
+/// Holds the solution of a wheel, or the exception of its solve.
 using WheelResult = std::variant<WheelRailSolution, std::exception_ptr>;
 
 /// Thread-safe.
@@ -115,7 +115,7 @@ class Backend {
     virtual void ping(const Settings& settings) const = 0;
 };
 
-/// Spec of the smallest table with these columns, of any material.
+/// Returns the spec of the smallest table with these columns, of any material.
 inline IcSpec spec_of_frames(const Section& section, int columns, double ds) {
     IcSpec spec;
     spec.body = BodyShape::longitudinally_uniform;

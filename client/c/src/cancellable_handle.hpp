@@ -1,4 +1,5 @@
-// Common base of contacts and wheels: one user at a time, a log, the last failure, and calls that can be cancelled.
+// Provides the common base of contacts and wheels: one user at a time, a log, the last failure, and calls that can be
+// cancelled.
 #pragma once
 
 #include <atomic>
@@ -52,7 +53,7 @@ class CancellableHandle {
           log_(connection.snapshot().second) {}
     ~CancellableHandle() = default;
 
-    /// A Control that cancel() can stop during the lifetime of this object.
+    /// Provides a Control that cancel() can stop during the lifetime of this object.
     class Controlled {
        public:
         explicit Controlled(CancellableHandle& called) : called_(called) {

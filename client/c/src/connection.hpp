@@ -1,4 +1,4 @@
-// A connection: the solver of its contacts, and their settings. Thread-safe.
+// Represents a connection: the solver of its contacts, and their settings. Thread-safe.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace contactd::c {
 
-/// The log of the user. Until it is set (`is_set`), warnings go to standard error.
+/// Holds the log of the user. Until it is set (`is_set`), warnings go to standard error.
 struct Log {
     contactd_log function = nullptr;
     void* user = nullptr;

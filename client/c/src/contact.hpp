@@ -1,4 +1,4 @@
-// A contact: its inputs, its solver, and the results of its last step.
+// Represents a contact: its inputs, its solver, and the results of its last step.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@
 
 namespace contactd::c {
 
-/// The answer of a step, and the arrays that were requested with it.
+/// Holds the answer of a step, and the arrays that were requested with it.
 struct Result {
     StepReply reply;
     std::vector<SolutionField> fields;
 };
 
-/// For one thread at a time (HandleGuard), except cancel and the failures.
+/// Use it in one thread at a time (HandleGuard), except cancel and the failures.
 class Contact : public CancellableHandle {
    public:
     explicit Contact(const Connection& connection);

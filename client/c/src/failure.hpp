@@ -1,4 +1,4 @@
-// Failures of the C interface: exceptions become a code, a message, a field and a reason.
+// Describes failures of the C interface: exceptions become a code, a message, a field and a reason.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct Failure {
     std::string sentence, field, reason;
 };
 
-/// Reasons of the library, in addition to those of the daemon.
+/// Names reasons of the library, in addition to those of the daemon.
 inline constexpr std::string_view concurrent_use = "CONCURRENT_USE", wrong_order = "WRONG_ORDER",
                                   no_handle = "NO_HANDLE", no_connection = "NO_CONNECTION", no_result = "NO_RESULT";
 

@@ -1,4 +1,4 @@
-// Access to all numbers of a field at once.
+// Gives access to all numbers of a field at once.
 #pragma once
 
 #include <optional>
@@ -19,9 +19,8 @@ bool is_one_or_array(const FieldType& type);
 /// path has no value. Throws InvalidArgument naming the path if it has other values than numbers.
 std::optional<std::vector<double>> numbers_at(const FieldPath& path, const void* root);
 
-/// The inverse: sets all fields of an object, all entries of a list, or all values of an array over the
-/// grid. Throws InvalidArgument, before any change, for a wrong number of values, and for values out of
-/// bounds.
+/// Does the inverse: sets all fields of an object, all entries of a list, or all values of an array over the grid.
+/// Throws InvalidArgument, before any change, for a wrong number of values, and for values out of bounds.
 void set_numbers(const FieldPath& path, void* root, std::span<const double> values);
 
 }  // namespace contactd::c

@@ -1,4 +1,4 @@
-// Lists of fields, some of which have other types than declared.
+// Changes the types of some fields in lists of fields.
 #pragma once
 
 #include <initializer_list>
@@ -13,7 +13,7 @@ namespace contactd::c {
 
 using TypeOf = const FieldType& (*)();
 
-/// The fields of T, with other types for the named ones, whose form on the wire differs.
+/// Returns the fields of T, with other types for the named ones, whose form on the wire differs.
 template <class T>
 std::vector<Field> fields_with(std::initializer_list<std::pair<std::string_view, TypeOf>> others) {
     const std::span<const Field> all = type_of<T>().fields;

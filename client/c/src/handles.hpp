@@ -23,7 +23,7 @@ inline StatusError not_a_handle(const char* field, const void* handle) {
                               0});
 }
 
-/// The live objects of one kind. `Handle` is the incomplete type of the interface.
+/// Holds the live objects of one kind. `Handle` is the incomplete type of the interface.
 template <class Object, class Handle>
 class Handles {
    public:

@@ -1,4 +1,4 @@
-// The inputs of a contact, collected until a call needs the problem.
+// Collects the inputs of a contact until a call needs the problem.
 #pragma once
 
 #include <chrono>
@@ -15,17 +15,17 @@
 
 namespace contactd::c {
 
-/// The description of a body so far.
+/// Holds the description of a body so far.
 struct BodyInput {
     Material material = no_material;
     std::optional<Coefficients> ics{};  ///< absent: the common ones
     std::optional<Viscoelasticity> viscoelastic{};
 };
 
-/// Inputs in any order: a call that needs the problem combines bodies, friction and motion.
+/// Accepts inputs in any order: a call that needs the problem combines bodies, friction and motion.
 struct ContactInputs {
-    /// The problem without its bodies. Its friction has no coefficient if only other fields were set, and its grid is
-    /// centred along an axis if x0 or y0 is `centred`.
+    /// Holds the problem without its bodies. Its friction has no coefficient if only other fields were set, and its
+    /// grid is centred along an axis if x0 or y0 is `centred`.
     ContactProblem problem = centred_problem();
     BodyInput upper;
     std::optional<BodyInput> lower{};    ///< absent: equal to the upper one
@@ -36,7 +36,7 @@ struct ContactInputs {
     SolutionFields fields{};
     std::optional<std::chrono::milliseconds> step_timeout{};
 
-    /// Inputs that differ from those of the opening; steps must contain them.
+    /// Holds inputs that differ from those of the opening; steps must contain them.
     struct Changed {
         bool gap = false, friction = false, motion = false, rigid_slip = false;
     } changed{};

@@ -1,4 +1,4 @@
-// Fields of a material: an elastic one has G and nu, a rigid one neither.
+// Describes fields of a material: an elastic one has G and nu, a rigid one neither.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace contactd::c {
 
-/// An elastic body without either number.
+/// Represents an elastic body without either number.
 inline constexpr Material no_material{std::numeric_limits<double>::quiet_NaN(),
                                       std::numeric_limits<double>::quiet_NaN()};
 
@@ -61,7 +61,7 @@ const FieldType& rigid_type() {
     return type;
 }
 
-/// "G", "nu" and "rigid" of a Material, or of a struct with a member `material`.
+/// Returns "G", "nu" and "rigid" of a Material, or of a struct with a member `material`.
 template <class Owner>
 std::array<Field, 3> material_fields() {
     return {material_field<Owner, &Material::G>("G"), material_field<Owner, &Material::nu>("nu"),

@@ -1,4 +1,4 @@
-// A library without ZeroMQ, which solves in process and cannot connect to daemons.
+// Replaces the remote backend in a library without ZeroMQ, which solves in process and cannot connect to daemons.
 #include "backend.hpp"
 #include "contactd/status.hpp"
 

@@ -1,4 +1,4 @@
-// Paths of fields of a contact or a wheel.
+// Finds paths of fields of a contact or a wheel.
 #pragma once
 
 #include <algorithm>
@@ -20,20 +20,20 @@
 
 namespace contactd::c {
 
-/// The structs whose fields may be the first part of a path.
+/// Lists the structs whose fields may be the first part of a path.
 using Roots = std::span<const FieldType* const>;
 
-/// A path below one of the roots.
+/// Holds a path below one of the roots.
 struct RootedPath {
     const FieldType* root;
     FieldPath path;
 };
 
-/// The name of a path in a call: its text, or its number.
+/// Holds the name of a path in a call: its text, or its number.
 using PathName = std::variant<const char*, std::int32_t>;
 
-/// The paths used with one object. Each is parsed once: a call in a loop only looks up its text or its number. A text
-/// may be the path of an input, of a result, or of both.
+/// Stores the paths used with one object. Each is parsed once: a call in a loop only looks up its text or its number. A
+/// text may be the path of an input, of a result, or of both.
 class PathCache {
    public:
     enum Use : std::size_t { input, result };
@@ -70,7 +70,7 @@ class PathCache {
         }
         if (!found[input] && !found[result]) {
             if (refusal) throw *refusal;
-            found[result] = read(result, path);  // which says what there is
+            found[result] = read(result, path);  // lists the known names
         }
         const std::size_t number = add(path);
         paths_[number].of = std::move(found);
@@ -104,7 +104,7 @@ class PathCache {
         return paths_.size() - 1;
     }
 
-    /// The root of which a field has the first name of the path, or null.
+    /// Finds the root that contains the first name of the path, or null.
     const FieldType* root_of(Use use, std::string_view path) const {
         const std::string_view first = path.substr(0, path.find_first_of(".["));
         for (const FieldType* root : roots_[use])
@@ -124,7 +124,7 @@ class PathCache {
     std::array<Roots, 2> roots_;  // by Use
     std::unordered_map<std::string, std::size_t, Hash, std::equal_to<>> known_;
     std::deque<Named> paths_;           // by their numbers
-    std::optional<RootedPath> beyond_;  // the last one that was not kept
+    std::optional<RootedPath> beyond_;  // path that was looked up last without being stored
 };
 
 }  // namespace contactd::c

@@ -1,5 +1,5 @@
-// Contacts as sessions of a daemon. Each has its own connection, so that threads with different contacts do not wait
-// for each other.
+// Implements contacts as sessions of a daemon. Each has its own connection, so that threads with different contacts do
+// not wait for each other.
 #include <algorithm>
 #include <deque>
 #include <memory>
@@ -153,7 +153,7 @@ class RemoteWheel final : public OpenWheel {
     client::Client client_;  // outlives the session
     std::unique_ptr<client::WheelRailSession> session_;
     WheelRailSetup opened_;  // the set-up of the session
-    /// Height and roll at the end of the last search, where the next one starts.
+    /// Stores height and roll at the end of the last search, where the next one starts.
     struct LastWheelset {
         WheelsetSetup setup;
         double z, roll;
@@ -161,7 +161,7 @@ class RemoteWheel final : public OpenWheel {
     std::optional<LastWheelset> wheelset_;
 };
 
-/// The steps of several wheels as one message.
+/// Sends the steps of several wheels as one message.
 class RemoteWheels {
    public:
     explicit RemoteWheels(std::span<const WheelCall> calls) : results_(calls.size()) {

@@ -1,4 +1,4 @@
-// Results of contacts and wheels by their paths.
+// Finds results of contacts and wheels by their paths.
 #pragma once
 
 #include "contact.hpp"

@@ -1,4 +1,4 @@
-// The saved states of a handle, by their numbers from contactd_save.
+// Stores the saved states of a handle, by their numbers from contactd_save.
 #pragma once
 
 #include <cstdint>

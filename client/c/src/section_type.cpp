@@ -26,7 +26,7 @@ namespace {
 template <class T>
 const FieldType& object_of();
 
-/// The type of a member's value.
+/// Determines the type of a member's value.
 template <class T>
 const FieldType& value_type() {
     if constexpr (std::is_arithmetic_v<T> || HasWords<T> || fields::is_list<T> || std::is_same_v<T, SectionPoint>)
@@ -71,7 +71,7 @@ std::vector<Field> fields_of() {
     return list;
 }
 
-/// The wire has whose profile it is beside the profile.
+/// The wire has the owner of the profile beside the profile.
 template <>
 std::vector<Field> fields_of<ProfileSection>() {
     return {fields::field_along<ProfileSection, &ProfileSection::profile, &ProfileSpec::kind>("kind"),

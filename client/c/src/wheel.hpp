@@ -1,4 +1,4 @@
-// A wheel on its rail: its inputs, and the results of its last solve.
+// Represents a wheel on its rail: its inputs, and the results of its last solve.
 #pragma once
 
 #include <chrono>
@@ -15,7 +15,7 @@
 
 namespace contactd::c {
 
-/// For one thread at a time (HandleGuard), except cancel and the failures.
+/// Use it in one thread at a time (HandleGuard), except cancel and the failures.
 class Wheel : public CancellableHandle {
    public:
     explicit Wheel(const Connection& connection);
@@ -66,7 +66,7 @@ class Wheel : public CancellableHandle {
     };
     /// Stores the result as the last one, and reports its warnings.
     void take(Result result);
-    /// That of a solve of the inputs.
+    /// Returns the result of a solve of the inputs.
     void take(WheelRailSolution solution);
     /// Ensures that a wheel is open, and removes the data of another set-up. Throws InvalidArgument ("setup") for a
     /// transient step that cannot continue.
@@ -76,7 +76,7 @@ class Wheel : public CancellableHandle {
     }
 
     std::unique_ptr<OpenWheel> open_;
-    bool moved_ = false;  // there was a solve, from which the next one continues
+    bool moved_ = false;  // true after a solve, from which the next one continues
     std::shared_ptr<const Result> result_;
     SavedStates<Saved> saved_;
 };

@@ -1,4 +1,4 @@
-// Wheels with an unchanged set-up, so that a solve only contains their state.
+// Keeps wheels with an unchanged set-up, so that a solve only contains their state.
 #pragma once
 
 #include "backend.hpp"

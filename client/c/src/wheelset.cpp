@@ -1,4 +1,4 @@
-// Both wheels of a wheelset at once: combines their inputs, and gives each its part of the answer.
+// Solves both wheels of a wheelset at once: combines their inputs, and gives each its part of the answer.
 #include "wheel.hpp"
 
 #include <algorithm>

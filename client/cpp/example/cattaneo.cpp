@@ -1,4 +1,4 @@
-// The Cattaneo problem of the paper (section 4): a sphere pressed on a plane and shifted, with partial slip.
+// Solves the Cattaneo problem of the paper (section 4): a sphere pressed on a plane and shifted, with partial slip.
 //
 //     contactd-cpp-example ENDPOINT
 #include <cstdio>

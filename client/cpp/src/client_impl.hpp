@@ -1,4 +1,4 @@
-// The common part of the client.
+// Implements the common part of the client.
 #pragma once
 
 #include <iostream>
@@ -39,7 +39,7 @@ inline Wait wait_of(const WheelsetSetup& setup) {
     return setup.left && wait_of(*setup.left) == Wait::for_build ? Wait::for_build : wait_of(setup.setup);
 }
 
-/// The result of a call, with the frames of its arrays.
+/// Holds the result of a call, with the frames of its arrays.
 struct Reply {
     json result;
     proto::Frames frames;

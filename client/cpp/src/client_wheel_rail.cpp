@@ -1,4 +1,4 @@
-// The client's calls for wheels on rails.
+// Implements the client's calls for wheels on rails.
 #include <algorithm>
 #include <string>
 #include <utility>

@@ -21,7 +21,7 @@
 
 namespace contactd::client {
 
-/// The unparsed result of a call, with the frames of its arrays.
+/// Holds the unparsed result of a call, with the frames of its arrays.
 struct Answer {
     proto::Frame text;
     std::shared_ptr<const proto::AnswerText> document;  ///< of the text

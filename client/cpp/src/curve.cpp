@@ -68,7 +68,7 @@ void HandshakeMonitor::forget() {
 }
 
 HandshakeMonitor::Event HandshakeMonitor::next() {
-    // Two frames: event (16 bits) and its value (32 bits), then an address.
+    // Receives two frames: event (16 bits) and its value (32 bits), then an address.
     zmq::message_t frame;
     if (!events_.recv(frame, zmq::recv_flags::dontwait)) return {};
     std::uint16_t kind = 0;

@@ -1,4 +1,4 @@
-// Encrypted connections: CURVE key files, and the reasons of failed handshakes.
+// Reads CURVE key files of encrypted connections, and explains failed handshakes.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace contactd::client {
 
-/// The daemon's public key and the client's own pair, in Z85.
+/// Holds the daemon's public key and the client's own pair, in Z85.
 struct CurveKeys {
     std::string server, own_public, own_secret;
 

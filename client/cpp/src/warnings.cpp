@@ -9,9 +9,9 @@ namespace {
 
 struct Part {
     const char* name;   ///< in answers
-    const char* shown;  ///< what the request calls it; empty: it is of the whole
+    const char* shown;  ///< name of the part in the request; empty for the whole
 };
-/// Parts of answers that have their own warnings.
+/// Lists parts of answers that have their own warnings.
 constexpr Part parts[] = {{"result", ""},
                           {"evidence", ""},
                           {"ics", ""},
@@ -64,7 +64,7 @@ class Collected {
 }  // namespace
 
 std::vector<std::string> warnings_in(const std::string& method, const proto::AnswerValue& answer) {
-    // These list the store without using its tables.
+    // These methods list the store without using its tables.
     if (method == "ic.list" || method == "ic.import") return {};
     Collected collected;
     collected.collect(answer, "");

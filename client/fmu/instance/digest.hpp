@@ -1,4 +1,4 @@
-// 64-bit FNV-1a, which identifies lists of variables, and damaged states.
+// Implements 64-bit FNV-1a, which identifies lists of variables and damaged states.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// One instance of an FMU, independent of the version of FMI: its values, its model, and its phase.
+// Represents one instance of an FMU, independent of the version of FMI: its values, its model, and its phase.
 #pragma once
 
 #include <cstdint>
@@ -14,24 +14,24 @@
 
 namespace contactd::fmu {
 
-/// Phases of FMI, which determine the allowed functions.
+/// Lists phases of FMI, which determine the allowed functions.
 enum class Phase { instantiated, initialization, stepping, terminated };
 
-/// A saved instance: FMI's FMU state.
+/// Holds a saved instance: FMI's FMU state.
 struct State {
     Phase phase;
     Values values;
     Carried carried;
 };
 
-/// Categories of the log, as in the model descriptions.
+/// Lists categories of the log, as in the model descriptions.
 enum class Category { errors, warnings, events };
 constexpr std::string_view name_of(Category category) {
     constexpr std::string_view names[] = {"errors", "warnings", "events"};
     return names[static_cast<std::size_t>(category)];
 }
 
-/// For one thread at a time, except cancel. Invalid calls throw Failure with a sentence.
+/// Use it in one thread at a time, except cancel. Invalid calls throw Failure with a sentence.
 class Instance {
    public:
     using Log = std::function<void(Status status, Category category, const std::string& sentence)>;
@@ -39,7 +39,7 @@ class Instance {
     Instance(const Kind& kind, const std::filesystem::path& resources, Log log);
 
     const Kind& kind() const { return kind_; }
-    /// Errors are always reported, warnings and events on request. No names: all.
+    /// Errors are always reported, warnings and events on request. No names select all categories.
     void set_log(bool on, std::span<const std::string> categories);
     void tell(Status status, Category category, const std::string& sentence) const;
 
@@ -52,8 +52,8 @@ class Instance {
     void reset();
     void cancel();
 
-    /// Numbers of any type except texts. Throws for a reference of another type and, on setting, for values that are
-    /// not finite, not in the enumeration, or cannot be set now.
+    /// Sets or returns numbers of any type except texts. Throws for a reference of another type and, on setting, for
+    /// values that are not finite, not in the enumeration, or cannot be set now.
     double number(std::uint32_t reference, std::initializer_list<Type> types) const;
     const std::string& text(std::uint32_t reference) const;
     void set_number(std::uint32_t reference, std::initializer_list<Type> types, double value);
@@ -62,7 +62,7 @@ class Instance {
     std::unique_ptr<State> state();
     void set_state(const State& state);
 
-    /// d of[] = sum of derivatives times d by[].
+    /// Returns d of[] = sum of derivatives times d by[].
     std::vector<double> derivative(std::span<const std::uint32_t> of, std::span<const std::uint32_t> by,
                                    std::span<const double> seed);
 

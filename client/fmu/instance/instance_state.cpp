@@ -1,4 +1,4 @@
-// States of an instance, and its derivatives.
+// Implements states of an instance, and its derivatives.
 #include <algorithm>
 #include <cmath>
 

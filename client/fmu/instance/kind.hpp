@@ -1,4 +1,4 @@
-// The two kinds of FMUs.
+// Describes the two kinds of FMUs.
 #pragma once
 
 #include <filesystem>

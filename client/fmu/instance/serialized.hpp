@@ -1,4 +1,4 @@
-// States as bytes, from which another instance of the same kind can continue, also in another process.
+// Writes states as bytes, from which another instance of the same kind can continue, also in another process.
 #pragma once
 
 #include <cstddef>

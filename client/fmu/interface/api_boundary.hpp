@@ -1,5 +1,4 @@
-// Between FMI's C functions and an instance: converts exceptions to a status and a sentence in the
-// log.
+// Connects FMI's C functions and an instance: converts exceptions to a status and a sentence in the log.
 #pragma once
 
 #include <new>
@@ -31,7 +30,7 @@ Value& given(Value* value, const char* name) {
     return *value;
 }
 
-/// A state that an importer holds.
+/// Holds a state that an importer holds.
 inline State& state_of(void* state) {
     if (state == nullptr) throw Failure("The FMU state is NULL.");
     State* const found = Live<State>::all().find(state);

@@ -1,4 +1,4 @@
-// FMI 2.0 for co-simulation: creation, phases and values of an instance.
+// Implements FMI 2.0 for co-simulation: creation, phases and values of an instance.
 #include "fmi2.hpp"
 
 #include "models/place.hpp"

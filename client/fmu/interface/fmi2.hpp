@@ -1,4 +1,4 @@
-// Common parts of the functions of FMI 2.
+// Provides common parts of the functions of FMI 2.
 #pragma once
 
 #include <fmi2Functions.h>

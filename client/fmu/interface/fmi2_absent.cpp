@@ -1,4 +1,4 @@
-// FMI 2.0: the functions of model exchange, which importers also look up.
+// Implements FMI 2.0: the functions of model exchange, which importers also look up.
 #include "fmi2.hpp"
 
 using namespace contactd::fmu;

@@ -1,4 +1,4 @@
-// FMI 2.0 for co-simulation: steps, states and derivatives.
+// Implements FMI 2.0 for co-simulation: steps, states and derivatives.
 #include <cstring>
 
 #include "fmi2.hpp"

@@ -1,4 +1,4 @@
-// FMI 3.0 for co-simulation: creation, phases, steps, states and derivatives of an instance.
+// Implements FMI 3.0 for co-simulation: creation, phases, steps, states and derivatives of an instance.
 #include "fmi3.hpp"
 
 #include "instance/serialized.hpp"

@@ -1,4 +1,4 @@
-// Common parts of the functions of FMI 3.
+// Provides common parts of the functions of FMI 3.
 #pragma once
 
 #include <fmi3Functions.h>

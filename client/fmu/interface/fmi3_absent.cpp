@@ -1,4 +1,5 @@
-// FMI 3.0: functions that importers look up, but this FMU does not support, according to its model description.
+// Implements FMI 3.0: functions that importers look up, but this FMU does not support, according to its model
+// description.
 #include "fmi3.hpp"
 
 using namespace contactd::fmu;
@@ -90,7 +91,7 @@ fmi3Status fmi3SetShiftFraction(fmi3Instance handle, References, std::size_t, co
     return absent(handle, "clocks");
 }
 
-// Model exchange and scheduled execution, which importers also look up.
+// Importers also look up functions of model exchange and scheduled execution.
 fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance handle) {
     return absent(handle, "continuous time");
 }

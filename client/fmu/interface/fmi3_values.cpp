@@ -1,4 +1,4 @@
-// FMI 3.0: values of variables, which are all scalars.
+// Implements FMI 3.0: values of variables, which are all scalars.
 #include "fmi3.hpp"
 
 using namespace contactd::fmu;

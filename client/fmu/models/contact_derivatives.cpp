@@ -1,4 +1,4 @@
-// Derivatives of the forces of a contact with respect to its inputs.
+// Computes derivatives of the forces of a contact with respect to its inputs.
 #include <limits>
 #include <string>
 
@@ -12,7 +12,7 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(contact_variables, name);
 }
 
-/// The answers, and the inputs named in `rolling`, `sliding`, `load` and "mu" below.
+/// Lists the answers, and the inputs named in `rolling`, `sliding`, `load` and "mu" below.
 const DerivativePlaces places{
     {at("Fx"), at("Fy"), at("Mz"), at("Fn"), at("approach")},
     {at("motion.xi"), at("motion.eta"), at("motion.phi"), at("motion.shift_x"), at("motion.shift_y"),

@@ -1,4 +1,4 @@
-// A plain contact, step by step.
+// Simulates a plain contact, step by step.
 #pragma once
 
 #include <array>

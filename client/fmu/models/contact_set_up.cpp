@@ -12,7 +12,7 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(contact_variables, name);
 }
 
-/// Positions of a body's variables in the list, and the path of the body.
+/// Holds positions of a body's variables in the list, and the path of the body.
 struct BodyPlaces {
     std::string_view path;
     std::size_t G, nu, rigid, coefficients, thickness, layer_G, layer_nu;

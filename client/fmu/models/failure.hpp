@@ -1,4 +1,4 @@
-// Failures of an instance, independent of the version of FMI.
+// Describes failures of an instance, independent of the version of FMI.
 #pragma once
 
 #include <stdexcept>

@@ -1,4 +1,4 @@
-// Friction laws other than the coefficient, and thermal properties of bodies, for both models.
+// Sets friction laws other than the coefficient, and thermal properties of bodies, for both models.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace contactd::fmu {
 
-/// Numbers by their variables, whose names are also paths of fields below a prefix.
+/// Holds numbers by their variables, whose names are also paths of fields below a prefix.
 class NamedValues {
    public:
     NamedValues(void* handle, std::string prefix, std::span<const Variable> variables, const Values& values)

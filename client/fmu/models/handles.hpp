@@ -1,4 +1,4 @@
-// Handles of contactd.h that free themselves, and its codes as failures.
+// Wraps handles of contactd.h so that they free themselves, and converts its codes to failures.
 #pragma once
 
 #include <contactd.h>
@@ -13,7 +13,7 @@ namespace contactd::fmu {
 
 /// Throws Failure with the library's message unless `code` is CONTACTD_OK. Steps that did not converge are discarded.
 void check(std::int32_t code, const void* handle);
-/// The same, but returns false for CONTACTD_NOT_FOUND, otherwise true.
+/// Does the same, but returns false for CONTACTD_NOT_FOUND, otherwise true.
 bool found(std::int32_t code, const void* handle);
 
 /// Sets a field of a contact or a wheel by its path. Throws Failure.

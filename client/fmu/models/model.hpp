@@ -1,4 +1,4 @@
-// The model of an instance: a plain contact, or a wheel on its rail. Both only use contactd.h.
+// Declares the model of an instance: a plain contact, or a wheel on its rail. Both only use contactd.h.
 #pragma once
 
 #include <array>
@@ -25,12 +25,13 @@ struct Carried {
     std::array<std::vector<double>, history_arrays.size()> history{};
 };
 
-/// Available derivatives of a model: rows are outputs, columns inputs, by their value references.
+/// Holds available derivatives of a model: rows are outputs, columns inputs, by their value references.
 struct DerivativePlaces {
     std::vector<std::size_t> of, by;
 };
 
-/// For one thread at a time, except cancel. All may throw Failure; a failure leaves the model unchanged.
+/// Use it in one thread at a time, except cancel. All functions may throw Failure; a failure leaves the model
+/// unchanged.
 class Model {
    public:
     virtual ~Model() = default;

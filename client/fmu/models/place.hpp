@@ -1,4 +1,4 @@
-// Locations of files given by importers and users: by paths, by URIs, or by names in the FMU's resources.
+// Finds files given by importers and users: by paths, by URIs, or by names in the FMU's resources.
 #pragma once
 
 #include <filesystem>

@@ -28,7 +28,7 @@ void set_slices(contactd_wheel* w, const Slices& slices, const std::string& vari
     if (!list) throw Failure(variable + " is \"" + name + "\", which is not a file; it must name a list of slices.");
     std::ifstream file(*list);
     std::size_t count = 0, number = 0;
-    std::array<char, 4096> text{};  // of one line: a device may never end it
+    std::array<char, 4096> text{};  // limit of one line, because a device may never end it
     while (file.getline(text.data(), text.size())) {
         ++number;
         const std::string line = text.data();

@@ -1,4 +1,4 @@
-// Profiles in files, also those that vary: of an out-of-round wheel, and of a rail along the track.
+// Reads profiles from files, including those of an out-of-round wheel, and of a rail that varies along the track.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace contactd::fmu {
 
-/// The path of a list of slices in contactd.h, and the first column of its file.
+/// Holds the path of a list of slices in contactd.h, and the first column of its file.
 struct Slices {
     std::string path, column;
 };
 
-/// Options for reading a profile file, in addition to those in the file; a unit of 0 is that of the file.
+/// Holds options for reading a profile file, in addition to those in the file; a unit of 0 is that of the file.
 struct FileReading {
     double unit = 0;
     bool mirror_y = false;

@@ -1,4 +1,4 @@
-// Derivatives of the forces on the rail with respect to the inputs of a wheel.
+// Computes derivatives of the forces on the rail with respect to the inputs of a wheel.
 #include <iterator>
 #include <limits>
 #include <string>
@@ -14,7 +14,7 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(wheel_variables, name);
 }
 
-/// In the order of a wrench; of `motions`, and the force.
+/// Lists the outputs in the order of a wrench, and the inputs in that of `motions`, with the force.
 const DerivativePlaces places{
     {at("Fx"), at("Fy"), at("Fz"), at("Mx"), at("My"), at("Mz")},
     {at("position.y"), at("position.z"), at("position.roll"), at("position.yaw"), at("velocity.x"), at("velocity.y"),

@@ -33,7 +33,7 @@ void WheelModel::start(const Values& values, const Carried& from) {
     has_derivatives_ = false;
 }
 
-/// At the initial position, because the initialization has enough time.
+/// Solves at the initial position, because the initialization has enough time.
 void WheelModel::solve_start(Values& values) {
     contactd_wheel* w = wheel_.get();
     check(contactd_wheel_set_timeout(w, values[at("limits.start")]), w);

@@ -1,4 +1,4 @@
-// A wheel on its rail in a sequence of positions, without state between steps.
+// Simulates a wheel on its rail in a sequence of positions, without state between steps.
 #pragma once
 
 #include "handles.hpp"
@@ -20,7 +20,7 @@ class WheelModel final : public Model {
 
    private:
     void say(const Values& values);
-    /// With outputs in `values`, and whether it converged.
+    /// Solves and stores outputs in `values`. Returns whether it converged.
     bool solved(Values& values);
     /// Returns the reason why the last step is discarded.
     std::string quality_flags(const Values& values) const;

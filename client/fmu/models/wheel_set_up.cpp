@@ -14,7 +14,7 @@ consteval std::size_t at(std::string_view name) {
     return reference_of(wheel_variables, name);
 }
 
-/// Positions of a body and its profile in the list, and their paths in contactd.h.
+/// Holds positions of a body and its profile in the list, and their paths in contactd.h.
 struct BodyPlaces {
     std::string_view profile_path, body_path;
     std::size_t profile, radius, slope, from, to, unit, mirror_y, mirror_z, shift_y, shift_z, smoothing, G, nu, rigid;

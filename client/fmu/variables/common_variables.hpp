@@ -1,4 +1,4 @@
-// Common variables of contacts and wheels: endpoint, timeouts, friction and accuracy.
+// Lists common variables of contacts and wheels: endpoint, timeouts, friction and accuracy.
 #pragma once
 
 #include <array>

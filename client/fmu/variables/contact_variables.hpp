@@ -1,4 +1,4 @@
-// The variables of a plain contact: two bodies on one grid, under a force or an approach, rolling or shifted.
+// Lists the variables of a plain contact: two bodies on one grid, under a force or an approach, rolling or shifted.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The values of an instance's variables.
+// Holds the values of an instance's variables.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,8 @@
 
 namespace contactd::fmu {
 
-/// By value reference: numbers of all variables except texts (booleans 0 or 1, enumerations the index of their word).
+/// Holds by value reference: numbers of all variables except texts (booleans 0 or 1, enumerations the index of their
+/// word).
 struct Values {
     explicit Values(std::span<const Variable> list) : numbers(list.size()), texts(list.size()) {
         for (std::size_t at = 0; at < list.size(); ++at) {

@@ -1,5 +1,5 @@
-// The variables of an FMU: one list for each kind, which the model, both versions of FMI, the model descriptions and
-// the page docs/fmu.md read.
+// Describes the variables of an FMU: one list for each kind, which the model, both versions of FMI, the model
+// descriptions and the page docs/fmu.md read.
 #pragma once
 
 #include <cstddef>
@@ -25,17 +25,17 @@ struct Variable {
     std::string_view name;
     Role role = Role::parameter;
     Type type = Type::real;
-    std::string_view unit{};                   ///< of reals; one of `units`, or none
-    double start = 0;                          ///< except texts, which start empty or with `text`
+    std::string_view unit{};                   ///< unit of a real: one of `units`, or none
+    double start = 0;                          ///< except texts, which are initially empty or `text`
     std::string_view text{};                   ///< what a text starts with
-    const Enumeration* enumeration = nullptr;  ///< of enumerations, of integers for them, of keyword_at
-    std::string_view same_as{};                ///< of such an integer: the enumeration's name
+    const Enumeration* enumeration = nullptr;  ///< for enumerations, integers that represent them, and keyword_at
+    std::string_view same_as{};                ///< of an integer that represents an enumeration: the enumeration's name
     std::string_view says{};                   ///< a sentence or two
     std::string_view path{};                   ///< of a field that contactd.h sets or reads; its words are keywords
-    bool zero_is_absent = false;               ///< of such a field: it may be left out, and is where it is 0
+    bool zero_is_absent = false;               ///< true for an optional field, which is omitted if the value is 0
 };
 
-/// In the base units of SI: kg^kg m^m s^s rad^rad K^K, times the factor, and the offset added.
+/// Describes a unit in the base units of SI: kg^kg m^m s^s rad^rad K^K, times the factor, plus the offset.
 struct Unit {
     std::string_view name;
     double factor;
@@ -44,7 +44,7 @@ struct Unit {
     double offset = 0;
 };
 
-/// N and mm, as everywhere in contactd; importers convert by the factors.
+/// Uses N and mm, as everywhere in contactd; importers convert by the factors.
 inline constexpr Unit units[] = {
     {"mm", 1e-3, 0, 1, 0, 0},
     {"mm2", 1e-6, 0, 2, 0, 0},
@@ -83,17 +83,17 @@ constexpr Variable keyword(std::string_view name, const Enumeration& of, int sta
     return {.name = name, .type = Type::enumeration, .start = double(start), .enumeration = &of, .says = says};
 }
 
-/// A variable that is a field of contactd.h.
+/// Describes a variable that is a field of contactd.h.
 constexpr Variable at_path(std::string_view path, Variable variable) {
     variable.path = path;
     return variable;
 }
-/// An optional number, which is omitted if it is 0.
+/// Describes an optional number, which is omitted if it is 0.
 constexpr Variable absent_at_zero(std::string_view path, Variable variable) {
     variable.zero_is_absent = true;
     return at_path(path, variable);
 }
-/// A boolean that represents one of two keywords.
+/// Describes a boolean that represents one of two keywords.
 constexpr Variable keyword_at(std::string_view path, const Enumeration& keywords, Variable variable) {
     variable.enumeration = &keywords;
     return at_path(path, variable);
@@ -102,7 +102,7 @@ constexpr Variable keyword_at(std::string_view path, const Enumeration& keywords
 /// Value of an integer that leaves the choice to its enumeration.
 inline constexpr int as_the_enumeration = -1;
 
-/// An integer for the enumeration `as`, for importers without enumerations.
+/// Describes an integer for the enumeration `as`, for importers without enumerations.
 constexpr Variable number(std::string_view name, std::string_view as, const Enumeration& of, std::string_view says) {
     return {.name = name,
             .type = Type::integer,

@@ -1,4 +1,4 @@
-// The variables of a wheel on its rail. docs/wheel-rail.md defines coordinates and signs.
+// Lists the variables of a wheel on its rail. docs/wheel-rail.md defines coordinates and signs.
 #pragma once
 
 #include "common_variables.hpp"
@@ -212,7 +212,7 @@ inline constexpr std::string_view patch_names[][patches_reported] = {
     {"patch[1].xi", "patch[2].xi", "patch[3].xi"},       {"patch[1].eta", "patch[2].eta", "patch[3].eta"},
     {"patch[1].phi", "patch[2].phi", "patch[3].phi"},    {"patch[1].power", "patch[2].power", "patch[3].power"},
 };
-/// The outputs of a patch, each by its path below the patch; 0 if it does not exist.
+/// Lists the outputs of a patch, each by its path below the patch; 0 if the patch does not exist.
 inline constexpr struct {
     std::string_view unit, path, says;
 } patch_parts[] = {

@@ -25,7 +25,7 @@ using nlohmann::json;
 constexpr std::array<std::string_view, 7> statuses{"solved", "not converged", "read", "refused",
                                                    "failed", "follows",       "wrong"};
 
-/// Displacements and stresses of a block by CONTACT's names.
+/// Writes displacements and stresses of a block by CONTACT's names.
 template <class Block>
 auto values_of_block(Block& block) {
     return std::array{std::pair("UX", &block.displacement.x), std::pair("UY", &block.displacement.y),

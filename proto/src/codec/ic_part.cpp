@@ -17,7 +17,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array<std::string_view, 9> names{"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
-/// Reserved for the envelope beside the frame.
+/// Reserves bytes for the envelope beside the frame.
 constexpr std::size_t envelope_bytes = 64 << 10;
 
 std::size_t most_numbers(const MessageLimits& limits) {

@@ -66,7 +66,7 @@ const Rolling* rolling_of(const ContactSolution& solution) {
     return solution.motion ? std::get_if<Rolling>(&*solution.motion) : nullptr;
 }
 
-/// Lengths along the rolling direction (mm).
+/// Holds lengths along the rolling direction (mm).
 struct RollingLengths {
     double step, element, contact;
 

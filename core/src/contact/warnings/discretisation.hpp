@@ -1,4 +1,4 @@
-// Error estimates and warnings for the number of elements in a contact and for the rolling step.
+// Estimates errors and creates warnings for the number of elements in a contact and for the rolling step.
 #pragma once
 
 #include <optional>

@@ -10,8 +10,8 @@
 namespace contactd {
 namespace {
 
-/// Slopes of a given gap between neighbouring elements: their number, the number steeper than 45 degrees, and the sum
-/// of their squares.
+/// Describes slopes of a given gap between neighbouring elements: their number, the number steeper than 45 degrees, and
+/// the sum of their squares.
 struct Rises {
     std::size_t count = 0, steep = 0;
     double squares = 0;

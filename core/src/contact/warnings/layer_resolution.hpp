@@ -1,4 +1,4 @@
-// Resolution of layers by elements: a wide element deforms a thin incompressible layer only at its rim.
+// Checks the resolution of layers by elements: a wide element deforms a thin incompressible layer only at its rim.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// Lengths along x and y (mm), such as those of a contact.
+/// Holds lengths along x and y (mm), such as those of a contact.
 struct PatchSize {
     double along_x = 0, along_y = 0;
 };

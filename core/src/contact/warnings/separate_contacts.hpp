@@ -1,4 +1,4 @@
-// Separate contacts of rough surfaces.
+// Finds separate contacts of rough surfaces.
 #pragma once
 
 #include <cstddef>

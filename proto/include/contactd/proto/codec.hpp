@@ -36,7 +36,7 @@ IcEvidence decode_evidence(const nlohmann::json& json);
 
 // --- contact.solve ---------------------------------------------------------------------------------------------------
 nlohmann::json encode_problem(const ContactProblem& problem, ArrayWriter& arrays);
-/// The same, with only these arrays of the solution.
+/// Does the same with only these arrays of the solution.
 nlohmann::json encode_problem(const ContactProblem& problem, ArrayWriter& arrays, const SolutionFields& fields);
 /// `params` has passed its schema. Throws StatusError naming the field for a grid that is too large (before memory is
 /// allocated) and for arrays that do not match; contactd::validate checks the rest. `ics` is only read for the model

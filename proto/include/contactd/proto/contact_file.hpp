@@ -1,4 +1,4 @@
-// The messages of contact_file.* (docs/contact-files.md).
+// Encodes the messages of contact_file.* (docs/contact-files.md).
 #pragma once
 
 #include <cstddef>

@@ -58,12 +58,12 @@ const FieldHook* hook_of(const FieldType& type);
 
 /// Throws InvalidArgument naming the path of a number that is not finite.
 nlohmann::json write_fields(const FieldType& type, const void* value, const MemberPath& path, const Writing& with);
-/// Likewise, without the type's own hook.
+/// Does the same without the type's own hook.
 nlohmann::json write_object(const FieldType& type, const void* owner, const MemberPath& path, const Writing& with);
 /// `source` has passed its schema.
 void read_fields(const nlohmann::json& source, const FieldType& type, void* value, const MemberPath& path,
                  const Reading& with);
-/// Likewise, without the type's own hook.
+/// Does the same without the type's own hook.
 void read_object(const nlohmann::json& source, const FieldType& type, void* owner, const MemberPath& path,
                  const Reading& with);
 

@@ -12,7 +12,7 @@
 
 namespace contactd::proto {
 
-/// Rows, and the components by the numbers 3 * displacement axis + load axis.
+/// Selects rows, and components by the numbers 3 * displacement axis + load axis.
 struct IcPart {
     int first_row = 0;
     int rows = 0;
@@ -22,7 +22,7 @@ struct IcPart {
 
 /// Reads `rows` and `components` of ic.get. Throws StatusError naming the field for missing rows.
 IcPart decode_ic_part(const nlohmann::json& params, int ny);
-/// `rows` and `components` of a request.
+/// Encodes `rows` and `components` of a request.
 nlohmann::json encode_ic_part(const IcPart& part);
 
 /// Throws StatusError (ANSWER_TOO_LARGE), which describes how to request parts, if the part of a table of `nx` columns

@@ -1,4 +1,4 @@
-// Files with CURVE keys, in the format of CZMQ's and pyzmq's certificates:
+// Reads and writes files with CURVE keys, in the format of CZMQ's and pyzmq's certificates:
 //
 //     metadata
 //         name = "alice"

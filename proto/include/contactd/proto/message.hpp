@@ -1,4 +1,4 @@
-// The envelope and its array frames (docs/protocol.md).
+// Reads and writes the envelope and its array frames (docs/protocol.md).
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@
 namespace contactd::proto {
 
 inline constexpr int protocol_version = 1;
-/// Versions supported by the daemon, oldest first.
+/// Lists versions supported by the daemon, oldest first.
 inline constexpr std::array<int, 1> protocol_versions{1};
 
 nlohmann::json to_json(const MessageLimits& limits);
@@ -32,7 +32,7 @@ struct Message {
     Frames frames;
 };
 
-/// Requested form of arrays in the reply.
+/// Selects the form of arrays in the reply.
 enum class ArrayEncoding { frame, list };
 
 /// Priority of a request; higher ones are first.

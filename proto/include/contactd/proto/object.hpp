@@ -1,4 +1,4 @@
-// JSON objects, created member by member.
+// Creates JSON objects, member by member.
 #pragma once
 
 #include <initializer_list>

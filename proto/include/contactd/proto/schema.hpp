@@ -1,4 +1,4 @@
-// JSON Schemas (draft-07) of all messages, compiled from proto/schema, and the OpenRPC document generated from
+// Provides JSON Schemas (draft-07) of all messages, compiled from proto/schema, and the OpenRPC document generated from
 // them.
 #pragma once
 

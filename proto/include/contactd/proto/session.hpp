@@ -1,4 +1,4 @@
-// The messages of sessions (docs/sessions.md).
+// Encodes the messages of sessions (docs/sessions.md).
 #pragma once
 
 #include <optional>
@@ -40,7 +40,7 @@ nlohmann::json encode_step(const std::string& session, long long step, const Ste
 void apply_step(const nlohmann::json& params, const Frames& frames, const std::optional<Motion>& last,
                 ContactProblem& problem);
 
-/// A step, or one of several in session.step_many.
+/// Holds a step, or one of several in session.step_many.
 struct StepAsked {
     std::string session;
     long long step = 0;

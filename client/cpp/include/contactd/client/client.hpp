@@ -1,4 +1,4 @@
-// A client of the contactd daemon.
+// Provides a client of the contactd daemon.
 //
 //     contactd::client::Client client("ipc:///run/contactd.sock");
 //     contactd::ContactProblem problem = ...;
@@ -37,7 +37,7 @@
 namespace contactd::client {
 
 struct ClientOptions {
-    std::chrono::milliseconds connect_timeout{5'000};    ///< for the connection to the daemon
+    std::chrono::milliseconds connect_timeout{5'000};    ///< timeout of the connection to the daemon
     std::chrono::milliseconds timeout{60'000};           ///< of a call
     std::chrono::milliseconds build_timeout{3'600'000};  ///< of calls that may wait for tables by finite elements
     MessageLimits limits{};                              ///< checked before a message is sent
@@ -54,11 +54,11 @@ struct ClientOptions {
     std::function<void(const std::vector<std::string>& sentences)> on_warnings{};
 };
 
-/// Progress of the work of a call.
+/// Describes the progress of the work of a call.
 struct Progress {
     std::string job;                              ///< for cancel_job; empty if there is no job
     std::string stage;                            ///< "pcg", "normal", ...
-    double fraction = 0;                          ///< of the whole work, 0..1, an estimate
+    double fraction = 0;                          ///< estimated fraction of the whole work, 0..1
     int iteration = 0;                            ///< within the stage
     double residual = 0;                          ///< the value that the stage's stopping criterion compares
     std::string state{};                          ///< of watch_health
@@ -77,8 +77,8 @@ struct CallOptions {
     std::stop_token stop{};
 };
 
-/// One connection, for one call at a time: use one client per thread, and another one in on_progress. A call during
-/// another call of the same client throws ConcurrencyError; threads may use a client in turn. A forked process
+/// Holds one connection, for one call at a time: use one client per thread, and another one in on_progress. A call
+/// during another call of the same client throws ConcurrencyError; threads may use a client in turn. A forked process
 /// continues with its own connection. Nothing is sent before the first call. Every call throws ConnectionError,
 /// TimeoutError, ProtocolError or StatusError on failure; the object stays usable after each of them.
 class Client {

@@ -1,4 +1,4 @@
-// Status reports of the daemon, with the names of docs/protocol.md.
+// Describes status reports of the daemon, with the names of docs/protocol.md.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@
 
 namespace contactd::client {
 
-/// Limits of a message, of the queue and of sessions.
+/// Holds limits of a message, of the queue and of sessions.
 struct ServerLimits : MessageLimits {
     std::size_t max_grid_elements = 0;      ///< elements of one grid, offsets of one table
     std::int64_t max_queue = 0;             ///< requests that may wait for an answer
     std::int64_t max_queue_per_client = 0;  ///< of these, requests from one socket
-    std::size_t max_queue_bytes = 0;        ///< of the messages whose requests wait for an answer
+    std::size_t max_queue_bytes = 0;        ///< bytes of the messages whose requests wait for an answer
     std::int64_t max_sessions = 0;
-    std::size_t max_session_bytes = 0;    ///< of all sessions and their saved states together
+    std::size_t max_session_bytes = 0;    ///< bytes of all sessions and their saved states together
     std::int64_t max_session_states = 0;  ///< saved states of one session
     double max_lease_seconds = 0;         ///< longest lease of a session
 };
@@ -43,7 +43,7 @@ struct CacheUse {
     std::size_t bytes = 0, budget_bytes = 0;  ///< current and allowed size
 };
 
-/// Numbers of waiting and running solves and builds.
+/// Holds numbers of waiting and running solves and builds.
 struct QueueLengths {
     std::int64_t solves_waiting = 0, solves_running = 0;
     std::int64_t builds_waiting = 0, builds_running = 0;
@@ -62,13 +62,13 @@ struct ServerInfo {
     double uptime_seconds = 0;  ///< since its start
 };
 
-/// Cumulative observations of a histogram up to a bound.
+/// Holds cumulative observations of a histogram up to a bound.
 struct MetricBucket {
     double le = 0;  ///< the bound
     std::int64_t count = 0;
 };
 
-/// The value of a metric for a combination of labels.
+/// Holds the value of a metric for a combination of labels.
 struct MetricSample {
     std::map<std::string, std::string> labels;  ///< their values by name
     double value = 0;                           ///< of a counter or a gauge
@@ -77,7 +77,7 @@ struct MetricSample {
     std::vector<MetricBucket> buckets;
 };
 
-/// A metric of the daemon, as docs/operations.md lists it and Prometheus reads it.
+/// Describes a metric of the daemon, as docs/operations.md lists it and Prometheus reads it.
 struct Metric {
     std::string name;  ///< with its unit
     std::string type;  ///< "counter", "gauge" or "histogram"
@@ -85,7 +85,7 @@ struct Metric {
     std::vector<MetricSample> samples;
 };
 
-/// A waiting or running job of the daemon.
+/// Describes a waiting or running job of the daemon.
 struct Job {
     std::string job;                              ///< its name
     std::string kind;                             ///< "build", "solve", "subsurface" or "step"
@@ -100,7 +100,7 @@ struct Job {
     std::string description{};         ///< description of the build or solve in words
 };
 
-/// A session. Its name is not listed, because any client with the name can use the session.
+/// Describes a session. Its name is not listed, because any client with the name can use the session.
 struct SessionSummary {
     double age_seconds = 0;     ///< since it was opened
     double idle_seconds = 0;    ///< since its last request ended, 0 during one
@@ -111,7 +111,7 @@ struct SessionSummary {
     std::int64_t elements = 0;  ///< of its grid
 };
 
-/// A table in the daemon's store.
+/// Describes a table in the daemon's store.
 struct StoredIc {
     std::string key;                       ///< argument of delete_ic
     int nx = 0, ny = 0;                    ///< offsets along x and y
@@ -119,7 +119,7 @@ struct StoredIc {
     std::optional<IcEvidence> evidence{};  ///< how it was made, if requested and its file can be read
 };
 
-/// A table whose builds failed too often. It and larger ones with its key are not built again for now.
+/// Describes a table whose builds failed too often. It and larger ones with its key are not built again for now.
 struct QuarantinedIc {
     std::string key;      ///< argument of delete_ic, which ends the quarantine
     int nx = 0, ny = 0;   ///< offsets along x and y
@@ -128,18 +128,18 @@ struct QuarantinedIc {
     double seconds = 0;   ///< until the next build is allowed
 };
 
-/// One of the last solves of the requesting user.
+/// Describes one of the last solves of the requesting user.
 struct RecentSolve {
     std::int64_t number = 0;     ///< argument of recent_pressures; counts the solves of all users since the start
     std::string method;          ///< requested method
     std::string id;              ///< of the request
     double at = 0;               ///< when it ended (s since 1970)
-    double seconds = 0;          ///< from its start to its end
-    std::optional<Grid> grid{};  ///< of a contact; empty for wheels on rails
-    std::int64_t elements = 0;   ///< of its grid; for wheels on rails of all patches
+    double seconds = 0;          ///< time from its start to its end
+    std::optional<Grid> grid{};  ///< model of a contact; empty for wheels on rails
+    std::int64_t elements = 0;   ///< elements of its grid; for wheels on rails of all patches
     std::int64_t patches = 0;    ///< number of grids: one, or for wheels on rails one per place of contact
     bool converged = false;      ///< whether every solver reached its tolerance
-    int iterations = 0;          ///< of the normal and the tangential solvers together
+    int iterations = 0;          ///< iterations of the normal and the tangential solvers together
     double residual = 0;         ///< largest value that a solver compared with its tolerance
     std::array<double, 3>
         forces{};     ///< Fx, Fy, Fn on the upper body; for wheels Fx, Fy, Fz on the rails, in track coordinates (N)
@@ -147,7 +147,7 @@ struct RecentSolve {
     bool has_pressures = false;  ///< whether recent_pressures can return them
 };
 
-/// The pressures on a grid of a solve, rounded to single precision. Arrays have shape [ny, nx].
+/// Holds the pressures on a grid of a solve, rounded to single precision. Arrays have shape [ny, nx].
 struct RecentPatch {
     Grid grid;                                      ///< for wheels on rails in contact coordinates (mm)
     std::vector<double> pressure{};                 ///< (N/mm^2)

@@ -1,4 +1,4 @@
-// A session of the daemon: the steps of a simulation, each of which starts from the end of the previous one.
+// Provides a session of the daemon: the steps of a simulation, each of which starts from the end of the previous one.
 //
 //     contactd::SessionSpec spec;
 //     spec.setup = ...;                         // the set-up of all steps
@@ -21,7 +21,7 @@
 
 namespace contactd::client {
 
-/// A state that Session::save returns and Session::restore accepts.
+/// Identifies a state that Session::save returns and Session::restore accepts.
 struct SavedState {
     std::string name;
     long long step = 0;  ///< number of the last step when it was saved
@@ -30,7 +30,7 @@ struct SavedState {
 class Session;
 class WheelRailSession;
 
-/// A step of a session in a call with several sessions.
+/// Describes a step of a session in a call with several sessions.
 struct SessionStep {
     Session& session;
     StepInput input;
@@ -51,7 +51,7 @@ std::vector<StepOrStatus> step_many(std::span<const SessionStep> steps, const Ca
 /// Solves steps of contacts and of wheels on rails together, like step_many above.
 std::vector<AnyStepOrStatus> step_many(std::span<const AnySessionStep> steps, const CallOptions& options = {});
 
-/// The common part of sessions of contacts and of wheels on rails.
+/// Provides the common part of sessions of contacts and of wheels on rails.
 ///
 /// Use it from the thread of its client and in the process that opened or joined it. Elsewhere, and during another of
 /// its calls, a call throws ConcurrencyError. This class numbers the steps: a step whose answer did not arrive
