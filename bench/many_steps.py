@@ -26,7 +26,7 @@ CHANGE = 0.05  # relative change of the creepages from step to step
 
 
 class Vehicle:
-    """Eight contacts with different loads on 25 x 25 elements, each in its own session."""
+    """Solves eight contacts with different loads on 25 x 25 elements, each in its own session."""
 
     def __init__(self, asker: Asker) -> None:
         self.asker = asker

@@ -19,7 +19,7 @@ Measure = Callable[[Spec], Result]
 
 
 class Case(Protocol):
-    """A request and the place of its result in a figure."""
+    """Describes a request and the place of its result in a figure."""
 
     @property
     def part(self) -> str: ...
@@ -39,7 +39,7 @@ class ComputationFailed(Exception):
 
 @dataclass(frozen=True)
 class Table:
-    """A CSV file in addition to that of its part."""
+    """Describes a CSV file in addition to that of its part."""
 
     name: str
     columns: Sequence[str]

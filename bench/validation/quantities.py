@@ -12,7 +12,7 @@ __all__ = ["GROUPS", "QUANTITIES", "Quantity", "by_quantity"]
 
 @dataclass(frozen=True)
 class Quantity:
-    """A number that both programs print.
+    """Describes a number that both programs print.
 
     Attributes:
         name: Name of its columns `name_printed`, `name` and `name_over`.

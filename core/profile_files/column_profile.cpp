@@ -37,7 +37,7 @@ FilePoints read_columns(std::string_view text, const std::string& name) {
             ++found.lines_left_out;
             continue;
         }
-        if (!values) lines.numbers(",;");  // which says what is none
+        if (!values) lines.numbers(",;");  // which reports an invalid number
         if (!values || values->size() != 2)
             lines.fail("has " + std::to_string(values ? values->size() : 0) +
                        " numbers, but a point has two, y and z. If commas are decimal signs, separate numbers by "

@@ -33,7 +33,7 @@ std::string in_small_letters(std::string_view text) {
 
 /// Returns the unit that a word names, or nothing for other words.
 std::optional<double> unit_named(std::string_view word) {
-    if (word == "M") return {};  // a letter of many other meanings
+    if (word == "M") return {};  // is a letter with many other meanings
     std::string name = in_small_letters(word);
     for (const std::string_view micro : {"\xc2\xb5", "\xce\xbc"})
         if (name.starts_with(micro)) name.replace(0, micro.size(), "u");
@@ -47,7 +47,7 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
     return std::ranges::find(words, in_small_letters(word)) != words.end();
 }
 
-/// Hands on each unit that a line states: in brackets, or behind the words "unit" and "in".
+/// Calls `found` with each unit that a line states: in brackets, or after the words "unit" and "in".
 template <class Use>
 void for_each_unit(std::string_view line, const Use& use) {
     constexpr std::string_view between = " \t\r,;:=\"'()[]#%!";

@@ -15,10 +15,10 @@ bool begins_a_word(std::string_view text) {
 
 /// Holds the properties of the points in the head of a MiniProf file.
 struct MiniprofHead {
-    std::size_t columns = 0, x = 0, y = 1;  // 0 columns: as many as there are
+    std::size_t columns = 0, x = 0, y = 1;  // 0 columns: any number
     double x_offset = 0, y_offset = 0;
 
-    /// Returns whether the key of the line means something here.
+    /// Returns whether the key of the line affects the profile.
     bool read(const ProfileLines& lines) {
         const auto at = lines.line().find('=');
         const std::string_view key = trimmed(lines.line().substr(0, at)), value = trimmed(lines.line().substr(at + 1));
@@ -34,14 +34,14 @@ struct MiniprofHead {
         return true;
     }
 
-    /// What stands behind the numbers is a remark.
+    /// The text after the numbers is a remark.
     ProfilePoint point(const ProfileLines& lines, NumberStyle& style) const {
         std::string_view line = lines.line(), remark;
         for (const std::string_view field : fields_of(line, ",;"))
             if (remark.empty() && field.data() != line.data() && begins_a_word(field)) remark = field;
         if (!remark.empty()) line = line.substr(0, static_cast<std::size_t>(remark.data() - line.data()));
         const auto found = style.numbers(trimmed(line));
-        if (!found) lines.numbers(",;");  // which says what is none
+        if (!found) lines.numbers(",;");  // which reports an invalid number
         const std::vector<double>& values = *found;
         if (!remark.empty() && values.size() < std::max<std::size_t>(columns, 2)) lines.number(remark);
         if (values.size() < 2 || (columns > 0 && values.size() != columns))
@@ -71,8 +71,8 @@ bool is_number_line(std::string_view line) {
 
 }  // namespace
 
-/// A head of lines key=value, in old files of keys alone with a line of numbers among them, and an empty line behind
-/// it; then a point a line. Some files leave the empty line out.
+/// The file has a head of lines key=value, an empty line, and then a line for each point. Old files contain only keys
+/// in the head, and a line of numbers among them. Some files lack the empty line.
 FilePoints read_miniprof(std::string_view text, const std::string& name) {
     ProfileLines lines(text, name, "!\"%#");
     FilePoints found;

@@ -1,6 +1,5 @@
-// The rule for rails is that of the CONTACT program for files that do not say which way z points (MIRRORZ = 0). Its
-// rule for wheels takes one that was measured from the tip of its flange on for upside down, so that there is another
-// here.
+// Uses the CONTACT program's rule for rails if a file does not define the direction of z (MIRRORZ = 0). CONTACT's rule
+// for wheels would turn a wheel that was measured from the tip of its flange upside down, so this one is different.
 #include "points_upwards.hpp"
 
 #include <algorithm>
@@ -17,8 +16,8 @@ using Points = std::vector<ProfilePoint>;
 constexpr double at_an_end = 0.1;    // part of a rail's points
 constexpr double noticed = 1e-3;     // part of its height
 constexpr double face = 0.05;        // part of a wheel's width at each end
-constexpr double least_flange = 10;  // mm that a flange stands out at least
-constexpr double clearly = 1.5;      // times what stands out to the other side
+constexpr double least_flange = 10;  // mm: smallest height of a flange
+constexpr double clearly = 1.5;      // factor by which it must exceed the other side
 
 /// Returns whether the points next to one end of a rail have a larger z, or a smaller one.
 template <class Iterator>
@@ -39,8 +38,8 @@ std::optional<bool> rail_upwards(const Points& points, double height) {
     return first ? first : last;
 }
 
-/// A flange stands out from the tread by more than all else does, but for the wheel's faces, which stand upright at its
-/// ends and are left out. What is as deep at both ends is a disc, or has two flanges.
+/// A flange stands out from the tread more than any other part, except the wheel's faces, which are upright at its ends
+/// and are omitted. A profile with the same depth at both ends is a disc, or has two flanges.
 std::optional<Flange> flange_among(const Points& points) {
     const auto [left, right] = std::ranges::minmax(points | std::views::transform(&ProfilePoint::y));
     const double edge = face * (right - left);

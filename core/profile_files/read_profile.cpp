@@ -21,7 +21,7 @@ namespace {
 
 using geometry::FilePoints;
 
-constexpr double narrowest_wheel = 25, narrowest_rail = 12, widest = 500;  // mm: what is beyond is of another unit
+constexpr double narrowest_wheel = 25, narrowest_rail = 12, widest = 500;  // mm: larger values have another unit
 
 /// Returns the extension of a file's name, in small letters.
 std::string ending_of(const std::string& name) {
@@ -64,7 +64,7 @@ FileOfKind read(std::string_view text, const std::string& name, std::optional<Pr
     return {*kind, ProfileFormat::columns, geometry::read_columns(text, name)};
 }
 
-/// What stands behind the last separator of folders, without what cannot be printed.
+/// Returns the text after the last separator of folders, without unprintable characters.
 std::string shown_name(const std::string& name) {
     std::string shown = name.substr(name.find_last_of("/\\") + 1);
     for (char& c : shown)
@@ -72,7 +72,7 @@ std::string shown_name(const std::string& name) {
     return shown.size() > 100 ? shown.substr(0, 60) + "..." + shown.substr(shown.size() - 30) : shown;
 }
 
-/// A wheel in inches is as narrow as no wheel in mm is, and so on; a file that says its unit is believed.
+/// A wheel in inches would be narrower than any wheel in mm, and so on. A unit stated by the file takes precedence.
 void check_width(const std::vector<ProfilePoint>& points, double unit, ProfileKind kind, bool heading_says_unit) {
     const auto [left, right] = std::ranges::minmax(points, {}, &ProfilePoint::y);
     const double width = (right.y - left.y) * unit;
@@ -85,8 +85,8 @@ void check_width(const std::vector<ProfilePoint>& points, double unit, ProfileKi
                       "give unit, 25.4 for inches, 1000 for metres, or 1 if this width is correct");
 }
 
-/// Refuses points in no order, which turning z would not mend. Profiles that double back, such as the face of a flange,
-/// are short of that.
+/// Refuses points without an order, which turning z would not correct. Profiles that double back, such as the face of a
+/// flange, are below this limit.
 void check_order(const std::vector<ProfilePoint>& points, double unit) {
     constexpr double most = 3;  // times the width
     const auto [left, right] = std::ranges::minmax(points, {}, &ProfilePoint::y);

@@ -1,5 +1,5 @@
-// Simpack's files: keys with values in sections, and the points in the unit of a user. What is to be done with the
-// points stands beside them; its order is shift, rotation, bounds, mirroring, units.
+// Reads Simpack's files: keys with values in sections, and the points in the unit of a user. Keys also define
+// operations on the points, in the order shift, rotation, bounds, mirroring, units.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -11,14 +11,14 @@
 namespace contactd::geometry {
 namespace {
 
-/// By their keys; those that say how a file was made, and how splines are fitted, mean nothing here.
+/// Lists the used keys; keys that describe how a file was made, and how splines are fitted, are ignored.
 using Keys = std::map<std::string, double, std::less<>>;
 
 const Keys defaults{{"shift.y", 0},     {"shift.z", 0},     {"rotate", 0},      {"bound.y.min", 1},
                     {"bound.y.max", 0}, {"bound.z.min", 1}, {"bound.z.max", 0}, {"mirror.y", 0},
                     {"mirror.z", 0},    {"units.len.f", 1}, {"units.ang.f", 1}};
 
-/// Returns whether the key of the line means something here.
+/// Returns whether the key of the line affects the profile.
 bool read_key(const ProfileLines& lines, bool in_header, ProfileKind kind, Keys& keys) {
     const auto at = lines.line().find('=');
     if (at == std::string_view::npos)

@@ -1,1 +1,1 @@
-"""Section 4 of the paper: the Cattaneo problem with computed influence coefficients."""
+"""Computes section 4 of the paper: the Cattaneo problem with computed influence coefficients."""

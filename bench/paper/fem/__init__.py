@@ -1,1 +1,1 @@
-"""Section 3 of the paper: influence coefficients by finite elements, beside the closed form."""
+"""Computes section 3 of the paper: influence coefficients by finite elements, beside the closed form."""

@@ -60,7 +60,7 @@ def a_load(row: Row) -> float:
 
 
 def solid_seconds(row: Row) -> float:
-    """Scaled to the number of strips of the transform: with their loads, and the unknowns of their mesh."""
+    """Scales by the number of strips of the transform: with their loads, and the unknowns of their mesh."""
     return float(a_load(row) * row["many_loads"] * row["many_dofs"] / row["dofs"])
 
 

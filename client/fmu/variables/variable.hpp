@@ -31,7 +31,7 @@ struct Variable {
     const Enumeration* enumeration = nullptr;  ///< for enumerations, integers that represent them, and keyword_at
     std::string_view same_as{};                ///< of an integer that represents an enumeration: the enumeration's name
     std::string_view says{};                   ///< a sentence or two
-    std::string_view path{};                   ///< of a field that contactd.h sets or reads; its words are keywords
+    std::string_view path{};                   ///< path of a field that contactd.h sets or reads; words are keywords
     bool zero_is_absent = false;               ///< true for an optional field, which is omitted if the value is 0
 };
 
@@ -99,7 +99,7 @@ constexpr Variable keyword_at(std::string_view path, const Enumeration& keywords
     return at_path(path, variable);
 }
 
-/// Value of an integer that leaves the choice to its enumeration.
+/// Leaves the choice of an integer to its enumeration.
 inline constexpr int as_the_enumeration = -1;
 
 /// Describes an integer for the enumeration `as`, for importers without enumerations.

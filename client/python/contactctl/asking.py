@@ -65,7 +65,7 @@ class OwnBuilds:
         new = [job for job in jobs if job.job not in self._others]
         if self._seen:
             return [job for job in new if job.job in self._seen]
-        # Interrupted before the daemon reported its name: an abandoned one.
+        # An interrupted build whose name the daemon has not reported counts as abandoned.
         return [job for job in new if not job.callers]
 
 

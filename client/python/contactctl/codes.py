@@ -1,4 +1,4 @@
-"""Exit codes, and the code of each error. docs/contactctl.md and the manual page list them."""
+"""Defines exit codes, and the code of each error. docs/contactctl.md and the manual page list them."""
 
 from __future__ import annotations
 
@@ -62,7 +62,7 @@ class HungUp(KeyboardInterrupt):
 
 
 class Terminated(KeyboardInterrupt):
-    """SIGTERM, which interrupts like Ctrl-C."""
+    """Represents SIGTERM, which interrupts like Ctrl-C."""
 
 
 def code_of(error: BaseException) -> Code:

@@ -1,4 +1,4 @@
-"""Input files of users: JSON or YAML as on the wire, with large arrays in separate files."""
+"""Reads input files of users: JSON or YAML as on the wire, with large arrays in separate files."""
 
 from __future__ import annotations
 

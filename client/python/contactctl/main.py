@@ -1,4 +1,4 @@
-"""The entry point of the program."""
+"""Contains the entry point of the program."""
 
 from __future__ import annotations
 

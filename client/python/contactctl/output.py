@@ -1,4 +1,4 @@
-"""Output of commands: tables or JSON on standard output, everything else on standard error."""
+"""Prints output of commands: tables or JSON on standard output, everything else on standard error."""
 
 from __future__ import annotations
 

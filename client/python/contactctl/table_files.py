@@ -1,4 +1,4 @@
-"""Table files: written for other programs, shown, and imported into the folder of a store."""
+"""Writes table files for other programs, shows them, and imports them into the folder of a store."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""LocalDaemon under the name that scripts import."""
+"""Provides LocalDaemon under the name that scripts import."""
 
 from .local import LocalDaemon
 

@@ -1,4 +1,4 @@
-"""The exceptions of this package.
+"""Defines the exceptions of this package.
 
 ::
 
@@ -206,7 +206,7 @@ class OutOfRange(StatusError):
 
 
 class Unimplemented(StatusError):
-    """The daemon does not know the method."""
+    """The daemon does not have the method."""
 
     code, name = 12, "UNIMPLEMENTED"
 

@@ -1,4 +1,4 @@
-"""Functions that draw, convert and store values: the only module that knows both values and their libraries."""
+"""Loads functions that draw, convert and store values. Only this module imports both values and their libraries."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Contact without a service: the same client, for single scripts and simulations."""
+"""Solves contact problems without a service, by the same client, for single scripts and simulations."""
 
 from __future__ import annotations
 
@@ -197,7 +197,7 @@ class LocalDaemon:
 
     @property
     def log(self) -> str:
-        """The log of the daemon up to now."""
+        """Returns the log of the daemon up to now."""
         return self.log_path.read_text(errors="replace") if self.log_path.exists() else ""
 
     def client(self, **options: Unpack[ClientOptions]) -> Client:

@@ -1,4 +1,4 @@
-"""Materials with the source of their constants, in N and mm.
+"""Provides materials with the source of their constants, in N and mm.
 
 ::
 

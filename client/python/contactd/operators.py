@@ -1,4 +1,4 @@
-"""Tables of influence coefficients as scipy linear operators."""
+"""Wraps tables of influence coefficients as scipy linear operators."""
 
 from __future__ import annotations
 

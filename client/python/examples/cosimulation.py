@@ -1,4 +1,5 @@
-"""A mass hits an elastic half-space at an angle and bounces off: co-simulation with a master that repeats steps.
+"""Simulates a mass that hits an elastic half-space at an angle and bounces off, by co-simulation with a master that
+repeats steps.
 
 The master integrates the mass (velocity Verlet) and requests the forces at the end of each step from the session. If
 the force changes too much in a step, it restores the session and halves the step. Friction has a history here: adhesion

@@ -1,4 +1,4 @@
-"""Influence coefficients of steel by finite elements, compared with the closed form of the half-space.
+"""Computes influence coefficients of steel by finite elements, compared with the closed form of the half-space.
 
 Run: ic_table.py [ENDPOINT]. Without an endpoint it starts its own daemon (`contactd` on PATH).
 """

@@ -1,5 +1,5 @@
-"""A ball on rubber bonded to steel, with decreasing thickness and Poisson's ratio 0.5: the errors of a half-space
-model.
+"""Solves a ball on rubber bonded to steel, with decreasing thickness and Poisson's ratio 0.5: the errors of a
+half-space model.
 
 Run: layers.py [ENDPOINT]. Without an endpoint it solves in its own process (contactd-local), or starts its own daemon.
 """

@@ -1,4 +1,4 @@
-"""Many daemons at one address: a ZeroMQ proxy that assigns a daemon to each connection of a client.
+"""Serves many daemons at one address, by a ZeroMQ proxy that assigns a daemon to each connection of a client.
 
     python3 proxy.py tcp://127.0.0.1:5555 ipc:///run/contactd/1.socket ipc:///run/contactd/2.socket
 
@@ -27,7 +27,7 @@ LOST = {"code": 14, "name": "UNAVAILABLE", "message": "The daemon behind the pro
 
 
 class Lane:
-    """One client's connection to its daemon."""
+    """Holds one client's connection to its daemon."""
 
     def __init__(self, context: zmq.Context[zmq.Socket[bytes]], client: bytes, daemon: str) -> None:
         self.client, self.daemon = client, daemon
@@ -70,7 +70,7 @@ def _id(envelope: bytes) -> str | None:
 
 
 class Proxy:
-    """All lanes of one address, in the calling thread."""
+    """Serves all lanes of one address, in the calling thread."""
 
     def __init__(self, address: str, daemons: list[str], idle_seconds: float = 3600.0) -> None:
         self._context: zmq.Context[zmq.Socket[bytes]] = zmq.Context()

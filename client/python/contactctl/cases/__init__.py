@@ -1,1 +1,1 @@
-"""Cases of the CONTACT program's input files: computed in threads, recorded in a journal, compared and written."""
+"""Computes cases of the CONTACT program's input files in threads, with a journal, comparisons and output files."""

@@ -1,4 +1,4 @@
-"""Output files of cases, and files for comparison."""
+"""Writes output files of cases, and files for comparison."""
 
 from __future__ import annotations
 

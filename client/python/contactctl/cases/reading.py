@@ -22,7 +22,7 @@ _PART = 0.5  #: Time between rows of the journal (s).
 
 
 class ReadFile(NamedTuple):
-    """An input file: its cases, its text, and the files that it names."""
+    """Holds an input file: its cases, its text, and the files that it names."""
 
     content: ContactFile
     text: str

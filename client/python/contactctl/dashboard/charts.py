@@ -1,4 +1,4 @@
-"""Rates and times of the last minutes, as ECharts options."""
+"""Draws rates and times of the last minutes, as ECharts options."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def latency_chart(samples: Sequence[Sample]) -> dict[str, Any]:
         "half of the requests": (_BLUE, lambda sample: _milliseconds(sample.median)),
         "95 % of them": (_RED, lambda sample: _milliseconds(sample.slow)),
     }
-    # From a tenth of a millisecond to the hour of a build.
+    # The axis goes from a tenth of a millisecond to the hour of a build.
     return _chart({"type": "log", "name": "ms"}, lines, samples)
 
 

@@ -1,4 +1,4 @@
-"""The page at /, which loads the dashboard with the key stored for this origin."""
+"""Serves the page at /, which loads the dashboard with the key stored for this origin."""
 
 __all__ = ["DOOR"]
 

@@ -1,4 +1,4 @@
-"""Common parts of the panels of the page."""
+"""Provides common parts of the panels of the page."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The configuration of the daemon, without secrets and without names of files."""
+"""Shows the configuration of the daemon, without secrets and without names of files."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ _COLUMNS = (column("field", "field", of_numbers=False), column("value", "value",
 
 
 class ConfigurationPanel(Panel):
-    """One line per field, with the names of the configuration file."""
+    """Shows one line per field, with the names of the configuration file."""
 
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)

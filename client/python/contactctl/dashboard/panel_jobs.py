@@ -1,4 +1,4 @@
-"""Waiting and running jobs, with a button to end each."""
+"""Shows waiting and running jobs, with a button to end each."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _WORK = {"build": "It is building a table", "solve": "It solves", "subsurface": 
 
 
 class JobsPanel(Panel):
-    """A card with one line per job, except very recent ones."""
+    """Shows a card with one line per job, except very recent ones."""
 
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)

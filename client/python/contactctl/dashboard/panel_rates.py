@@ -1,4 +1,4 @@
-"""Load of the daemon: current figures, and rates and times of the last minutes."""
+"""Shows the load of the daemon: current figures, and rates and times of the last minutes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Identification and state of the daemon."""
+"""Shows identification and state of the daemon."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _COLOURS = {"serving": "positive", "stopping": "warning", AWAY: "negative"}
 
 
 class StatePanel(Panel):
-    """The head of the page, above all tabs."""
+    """Shows the head of the page, above all tabs."""
 
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)

@@ -1,4 +1,4 @@
-"""The tables of the daemon's store: size and accuracy."""
+"""Shows the tables of the daemon's store: size and accuracy."""
 
 from __future__ import annotations
 

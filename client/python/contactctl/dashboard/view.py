@@ -1,4 +1,4 @@
-"""The known state of a daemon at one time, as immutable values."""
+"""Holds the known state of a daemon at one time, as immutable values."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ AWAY = "away"
 
 @dataclass(frozen=True)
 class Sample:
-    """Rates and values between two updates.
+    """Holds rates and values between two updates.
 
     Attributes:
         at: Time of the second update (s since 1970).

@@ -1,4 +1,4 @@
-"""The values of a field of a study: a list, or a range."""
+"""Parses the values of a field of a study: a list, or a range."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Wear of a rail that varies along the track, such as a crossing: a map in a file, and a table."""
+"""Reports wear of a rail that varies along the track, such as a crossing: a map in a file, and a table."""
 
 from __future__ import annotations
 

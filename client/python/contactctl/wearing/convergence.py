@@ -1,5 +1,5 @@
-"""Convergence of a wear study: the same distance with other states, elements, steps and smoothing, compared with the
-finest.
+"""Checks the convergence of a wear study: the same distance with other states, elements, steps and smoothing, compared
+with the finest.
 """
 
 from __future__ import annotations

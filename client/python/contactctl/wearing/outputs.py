@@ -1,4 +1,4 @@
-"""Files of worn profiles, and pictures of their wear."""
+"""Writes files of worn profiles, and draws pictures of their wear."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""States of a wear study shared among processes, such as the tasks of a job array.
+"""Shares states of a wear study among processes, such as the tasks of a job array.
 
 The process with share 0 computes the steps and writes the record. The others read it, solve their states on its last
 section, and write the answers to files next to it. So processes need not compute the same bits.

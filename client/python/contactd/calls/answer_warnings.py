@@ -25,7 +25,7 @@ _COLLECTED: ContextVar[list[str] | None] = ContextVar("collected", default=None)
 
 
 class ContactWarning(UserWarning):
-    """The `warnings` of an answer: complete sentences about its limitations, joined to one message.
+    """Represents the `warnings` of an answer: complete sentences about its limitations, joined to one message.
 
     Each answer gives at most one warning, located at the caller's line. Filters of Python's `warnings` can silence it
     or turn it into an exception. The exception is raised after the call: the session has then already advanced by the

@@ -1,4 +1,4 @@
-"""The common part of sessions of contacts and of wheels on rails (docs/sessions.md)."""
+"""Implements the common part of sessions of contacts and of wheels on rails (docs/sessions.md)."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def reported_number(reported: dict[str, Any], name: str, kind: Callable[[Any], T
 
 
 class AnySession(Shown):
-    """The common part of blocking and asyncio sessions."""
+    """Implements the common part of blocking and asyncio sessions."""
 
     _joins: ClassVar[str]  #: Method of Client that joins such a session.
     _builds = False  #: Whether a step may have to wait for finite-element tables.

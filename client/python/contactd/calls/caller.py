@@ -1,4 +1,4 @@
-"""The common part of both clients: data about the daemon, and the conversion of calls to requests."""
+"""Implements the common part of both clients: data about the daemon, and the conversion of calls to requests."""
 
 from __future__ import annotations
 

@@ -145,7 +145,7 @@ def _shortest_of_nothing(caller: Caller, repeats: int, timeout: float | None) ->
 
 
 class _Asked:
-    """The case with one model."""
+    """Returns the case with one model."""
 
     def __init__(
         self, caller: Caller, params: dict[str, Any], name: str, timeout: float | None, on_progress: ProgressCallback | None
@@ -177,7 +177,7 @@ class _Asked:
             changed["simplified"] = kept
         bodies = changed.get("bodies")
         if not self._of_wheel and isinstance(bodies, Mapping) and "ics" not in changed and not _has_own_ics(bodies):
-            changed["ics"] = {"source": "analytic"}  # what simplified models leave out
+            changed["ics"] = {"source": "analytic"}  # effects that simplified models neglect
         return changed
 
     def compared(self, repeats: int) -> Answering[ComparedModel]:

@@ -1,4 +1,4 @@
-"""Contact problems, stresses inside the bodies, and temperatures of their surfaces."""
+"""Solves contact problems, and computes stresses inside the bodies and temperatures of their surfaces."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Files of the CONTACT program."""
+"""Calls for files of the CONTACT program."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ __all__ = ["ContactFileCalls"]
 
 
 class ContactFileCalls(Caller):
-    """The methods contact_file.* of the daemon."""
+    """Calls the methods contact_file.* of the daemon."""
 
     @asks
     def read_contact_file(self, text: str, *, name: str = "text", timeout: float | None = None) -> Answering[ContactFile]:

@@ -1,4 +1,4 @@
-"""Sessions of a contact: the steps of a simulation, each starting from the end of the previous one
+"""Implements sessions of a contact: the steps of a simulation, each starting from the end of the previous one
 (docs/sessions.md).
 """
 

@@ -1,4 +1,4 @@
-"""Creep curves: forces of a contact for many creepages."""
+"""Computes creep curves: forces of a contact for many creepages."""
 
 from __future__ import annotations
 

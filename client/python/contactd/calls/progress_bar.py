@@ -1,4 +1,4 @@
-"""A progress bar in the terminal or in a notebook for calls with `progress=True`. Needs rich."""
+"""Shows a progress bar in the terminal or in a notebook for calls with `progress=True`. Needs rich."""
 
 from __future__ import annotations
 

@@ -102,7 +102,7 @@ class SessionCalls(Caller, Generic[S, W]):
     @asks
     def join_wheel_rail_session(self, name: str, *, timeout: float | None = None) -> Answering[W]:
         """Joins the session of a wheel on its rail, as join_session does. Pass a `timeout` to steps that may wait for
-        finite elements, because only the client that opened the session knows that.
+        finite elements, because only the client that opened the session has this information.
         """
         reported = yield from self.asked("session.info", {"session": name}, timeout=timeout)
         if (side := reported.get("side")) not in ("left", "right"):

@@ -1,4 +1,5 @@
-"""Problems as arguments of calls: as a whole, by gap and bodies, or by their fields, with or without a grid."""
+"""Accepts problems as arguments of calls: as a whole, by gap and bodies, or by their fields, with or without a
+grid."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Steps of several sessions in one message."""
+"""Sends steps of several sessions in one message."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ __all__ = ["stepped_sessions"]
 def stepped_sessions(
     client: Caller, pairs: Iterable[tuple[AnySession, Mapping[str, Any]]], timeout: float | None
 ) -> Answering[list[Any]]:
-    """The steps of Client.step_many."""
+    """Holds the steps of Client.step_many."""
     pairs = list(pairs)
     if not pairs:
         return []

@@ -16,7 +16,7 @@ __all__ = ["Steps"]
 
 
 class Steps(ABC):
-    """The steps of one session. Numbers them, and admits one thread of one process at a time.
+    """Manages the steps of one session. Numbers them, and admits one thread of one process at a time.
 
     Attributes:
         session: The name of the session.

@@ -28,7 +28,7 @@ _COMPONENTS = tuple(load + axis for load in "xyz" for axis in "xyz")
 
 
 class TableCalls(Caller):
-    """The methods ic.* of the daemon."""
+    """Calls the methods ic.* of the daemon."""
 
     @asks
     def get_ic(

@@ -59,7 +59,8 @@ def _asks_for_finite_elements(problem: dict[str, Any]) -> bool:
 
 
 def say_that_the_build_goes_on(error: TimeoutExpired, job: str) -> None:
-    """Adds to `error` what becomes of the build, `job` ("" where none is known), that the call has waited for."""
+    """Adds the fate of the build that the call has waited for to `error`. `job` is its name, or "" if it is
+    unknown."""
     what = f"The build continues in the daemon as job {job}" if job else "The build that it waited for continues in the daemon"
     end = f"cancel_job({job!r})" if job else "cancel_job()"
     advice = f"{what}. jobs() reports its progress, {end} ends it, and repeating the call joins it or returns its table."

@@ -31,7 +31,7 @@ __all__ = ["WheelRailCalls"]
 
 
 class WheelRailCalls(Caller):
-    """The methods wheelrail.* of the daemon."""
+    """Calls the methods wheelrail.* of the daemon."""
 
     @asks
     def wheel_rail(

@@ -1,4 +1,4 @@
-"""Sessions of a wheel on its rail (docs/sessions.md)."""
+"""Implements sessions of a wheel on its rail (docs/sessions.md)."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ __all__ = ["AnyWheelRailSession", "WheelRailSession", "WheelRailSteps"]
 
 
 class WheelRailSteps(Steps):
-    """The steps of a wheel on its rail."""
+    """Manages the steps of a wheel on its rail."""
 
     words = frozenset(WheelRailStepInput.__annotations__)
 
@@ -56,7 +56,7 @@ class WheelRailSteps(Steps):
 
 
 class AnyWheelRailSession(AnySession):
-    """The common part of blocking and asyncio sessions of a wheel on its rail."""
+    """Implements the common part of blocking and asyncio sessions of a wheel on its rail."""
 
     _joins = "join_wheel_rail_session"
 

@@ -8,7 +8,7 @@ __all__ = ["AskedClient"]
 
 
 class AskedClient(Protocol):
-    """A Client, or any object with these calls."""
+    """Describes a Client, or any object with these calls."""
 
     @property
     def info(self) -> Any: ...

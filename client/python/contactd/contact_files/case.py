@@ -1,4 +1,4 @@
-"""A case of an input file."""
+"""Represents a case of an input file."""
 
 from ..values.generated.contact_files import ContactCase as Case
 from ..values.generated.contact_files import ContactFile

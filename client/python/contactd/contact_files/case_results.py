@@ -1,4 +1,4 @@
-"""Results of a contact that output files print, from the values of its case and the answer of the service."""
+"""Computes results of a contact that output files print, from the values of its case and the answer of the service."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ _ALIKE = 1e-4  #: Difference below which bodies are quasi-identical.
 
 @dataclass(frozen=True)
 class Pair:
-    """Combined constants of two bodies.
+    """Holds combined constants of two bodies.
 
     Attributes:
         nu: Poisson's ratio: nu/G is the mean of both.
@@ -140,7 +140,7 @@ class Elements:
 
 
 class StressField:
-    """Displacements (mm) and stresses (N/mm^2) at a block of points, shape [nz, ny, nx], by CONTACT's names."""
+    """Holds displacements (mm) and stresses (N/mm^2) at a block of points, shape [nz, ny, nx], by CONTACT's names."""
 
     def __init__(self, block: Mapping[str, Array]) -> None:
         self.block = block

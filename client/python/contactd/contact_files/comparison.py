@@ -24,7 +24,7 @@ _ANGLE = 2e-4  # rad
 
 @dataclass(frozen=True)
 class Compared:
-    """The compared numbers of a case, by their printed labels.
+    """Lists the compared numbers of a case, by their printed labels.
 
     Attributes:
         numbers: Numbers of the whole case.
@@ -41,7 +41,7 @@ class Compared:
 
 @dataclass(frozen=True)
 class Difference:
-    """A number, the printed one, and the allowed difference."""
+    """Holds a number, the printed one, and the allowed difference."""
 
     name: str
     printed: float

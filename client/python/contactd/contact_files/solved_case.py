@@ -1,4 +1,4 @@
-"""A case of an input file with its results."""
+"""Represents a case of an input file with its results."""
 
 from __future__ import annotations
 

@@ -20,7 +20,7 @@ __all__ = ["CaseComparison", "ComparedCase", "SolvedCase", "SolvedCases"]
 
 @dataclass(frozen=True, eq=False)
 class ComparedCase:
-    """A case and the printed one.
+    """Holds a case and the printed one.
 
     Attributes:
         case: The case.

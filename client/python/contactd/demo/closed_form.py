@@ -1,4 +1,5 @@
-"""Closed forms of Hertz and Cattaneo: a sphere on a plane of the same material (Johnson, Contact Mechanics)."""
+"""Evaluates closed forms of Hertz and Cattaneo: a sphere on a plane of the same material (Johnson, Contact
+Mechanics)."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Files of values: problems and solutions, tables of influence coefficients."""
+"""Reads and writes files of values: problems and solutions, tables of influence coefficients."""

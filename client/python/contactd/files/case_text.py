@@ -1,4 +1,4 @@
-"""Text files of the CONTACT program."""
+"""Reads text files of the CONTACT program."""
 
 from __future__ import annotations
 

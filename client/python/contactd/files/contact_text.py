@@ -1,4 +1,5 @@
-"""The text format of the CONTACT program for numerical influence coefficients (docs/ic-tables.md, Exchange)."""
+"""Reads and writes the text format of the CONTACT program for numerical influence coefficients (docs/ic-tables.md,
+Exchange)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Units in the headings of files with numbers, as written by surface measurement programs."""
+"""Finds units in the headings of files with numbers, as written by surface measurement programs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Table files by their extension (docs/ic-tables.md, Exchange):
+"""Reads and writes table files by their extension (docs/ic-tables.md, Exchange):
 
 ========  ====================================  ========================================================== ``.npz``
 IcTable or TableIcs                   numpy archive: the array, and its description as JSON ``.txt``  TableIcs (IcTable:

@@ -33,7 +33,7 @@ Ask = Callable[..., dict[str, Any]]
 
 @dataclass(frozen=True)
 class Response:
-    """The location of the measured value in each answer.
+    """Describes the location of the measured value in each answer.
 
     Attributes:
         by: Path of the creepage.

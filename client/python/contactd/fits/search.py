@@ -37,7 +37,7 @@ class FitFailed(ContactdError):
 
 @dataclass(frozen=True, eq=False)
 class Found:
-    """The end of the search.
+    """Reports the end of the search.
 
     Attributes:
         places: Positions of the parameters between their bounds.

@@ -19,7 +19,7 @@ _SINGULAR = 1e-6  #: Relative singular value below which a combination of parame
 
 @dataclass(frozen=True, eq=False)
 class Certainty:
-    """Errors of positions between bounds.
+    """Computes errors of positions between bounds.
 
     Attributes:
         covariance: Covariance of the positions, shape [n, n]; zero for those at bounds, infinite for undetermined ones.

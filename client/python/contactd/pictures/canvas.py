@@ -1,4 +1,4 @@
-"""Common parts of plots: axes, colours, maps over grids."""
+"""Provides common parts of plots: axes, colours, maps over grids."""
 
 from __future__ import annotations
 

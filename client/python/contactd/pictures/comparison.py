@@ -1,4 +1,4 @@
-"""One case with several models: pressures, forces, errors and computing times."""
+"""Plots one case with several models: pressures, forces, errors and computing times."""
 
 from __future__ import annotations
 

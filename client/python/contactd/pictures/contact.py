@@ -1,4 +1,4 @@
-"""One contact: a map of pressures and tractions, and a section through it."""
+"""Plots one contact: a map of pressures and tractions, and a section through it."""
 
 from __future__ import annotations
 

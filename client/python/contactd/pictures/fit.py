@@ -1,4 +1,4 @@
-"""A measured creep curve and the fitted one."""
+"""Plots a measured creep curve and the fitted one."""
 
 from __future__ import annotations
 

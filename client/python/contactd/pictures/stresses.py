@@ -1,4 +1,4 @@
-"""Stresses inside a body: a section through a block of points."""
+"""Plots stresses inside a body: a section through a block of points."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A table of influence coefficients: its components against the distance from the load."""
+"""Plots a table of influence coefficients: its components against the distance from the load."""
 
 from __future__ import annotations
 

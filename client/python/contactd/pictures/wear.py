@@ -123,8 +123,8 @@ def shakedown_limit(mu: Any) -> Any:
     depth = np.linspace(0.005, 1.5, 300)[:, None]
     angle = np.linspace(0.0, np.pi, 361)[None, :]
     s, t = depth, np.cos(angle) * 1.6
-    # McEwen's formulas, Johnson (4.49) and section 7.2: m and n of a point, the stresses due to pressure and to
-    # traction.
+    # Evaluates McEwen's formulas, Johnson (4.49) and section 7.2: m and n of a point, the stresses due to pressure and
+    # to traction.
     inner = np.sqrt((1 - t**2 + s**2) ** 2 + 4 * t**2 * s**2)
     m = np.sqrt(np.maximum((inner + 1 - t**2 + s**2) / 2, 1e-300))
     n = np.sign(t) * np.sqrt(np.maximum((inner - (1 - t**2 + s**2)) / 2, 0.0))

@@ -1,4 +1,4 @@
-"""A wheel on a rail: its contacts with their forces and pressures."""
+"""Plots a wheel on a rail: its contacts with their forces and pressures."""
 
 from __future__ import annotations
 

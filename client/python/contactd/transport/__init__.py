@@ -1,1 +1,1 @@
-"""Transport of requests: sockets, messages, keys, a private daemon, the engine in this process."""
+"""Transports requests: sockets, messages, keys, a private daemon, the engine in this process."""

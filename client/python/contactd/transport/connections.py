@@ -1,4 +1,4 @@
-"""The sockets of a client: one for each running call, reused by later calls."""
+"""Manages the sockets of a client: one for each running call, reused by later calls."""
 
 from __future__ import annotations
 

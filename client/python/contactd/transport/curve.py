@@ -1,4 +1,4 @@
-"""Keys of encrypted connections: CURVE key files."""
+"""Reads keys of encrypted connections: CURVE key files."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ _MOST_BYTES = 1 << 16  #: Largest size of a key file.
 
 @dataclass(frozen=True)
 class CurveKeys:
-    """The daemon's public key and the client's own pair, in Z85.
+    """Holds the daemon's public key and the client's own pair, in Z85.
 
     Attributes:
         server: The daemon's public key.

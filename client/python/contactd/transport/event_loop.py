@@ -35,7 +35,7 @@ _AT_ONCE = ("server.", "health.", "job.", "session.list", "session.close")
 
 
 class _Open:
-    """A request that waits for its answer, or for the reason why there is none."""
+    """Represents a request that waits for its answer, or for the reason why there is none."""
 
     def __init__(self, request: Request) -> None:
         self.request = request

@@ -21,7 +21,8 @@ _JSON = frozenset({int, str, bool, type(None)})  # also finite floats
 
 
 class Frames(list[bytes]):
-    """The array frames of a request. Arrays in the same memory, such as the table of many problems, share a frame."""
+    """Collects the array frames of a request. Arrays in the same memory, such as the table of many problems, share a
+    frame."""
 
     def __init__(self) -> None:
         super().__init__()

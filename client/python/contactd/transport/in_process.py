@@ -1,4 +1,4 @@
-"""The engine in this process, from the extension contactd_local: a client without a daemon."""
+"""Uses the engine in this process, from the extension contactd_local: a client without a daemon."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _builder() -> str:
 
 
 class Engine:
-    """The in-process counterpart of Connections: lends each call the same engine. Thread-safe.
+    """Replaces Connections in process: lends each call the same engine. Thread-safe.
 
     Belongs to the process that created it. In a forked process, which has none of its threads and sessions, calls raise
     an exception.

@@ -74,7 +74,7 @@ class Request:
 
 @dataclass(frozen=True)
 class Reply:
-    """The answer to one request: the JSON of its `result` and the array frames after it.
+    """Holds the answer to one request: the JSON of its `result` and the array frames after it.
 
     Attributes:
         result: JSON, in which arrays are references to frames.

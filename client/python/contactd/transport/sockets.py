@@ -1,4 +1,4 @@
-"""ZeroMQ sockets to a daemon: their creation, their events, and their end."""
+"""Creates ZeroMQ sockets to a daemon, and handles their events and their end."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _SILENT_ENDS = 3
 
 
 class Event(NamedTuple):
-    """An event of a socket's connection: a number zmq.EVENT_..., and its value."""
+    """Represents an event of a socket's connection: a number zmq.EVENT_..., and its value."""
 
     kind: int
     value: int
@@ -104,7 +104,7 @@ def give_up(socket: ZmqSocket, request: str) -> None:
 
 
 def close(socket: ZmqSocket, monitor: ZmqSocket) -> None:
-    """Drops what is under way. May be called twice."""
+    """Drops pending messages. May be called twice."""
     if not socket.closed:
         socket.disable_monitor()
         monitor.close()

@@ -21,7 +21,7 @@ _OWNER = "owner"  #: A file locked by its process.
 
 
 class TemporaryFolder:
-    """A folder in the system's temporary folder, or in `within`.
+    """Provides a folder in the system's temporary folder, or in `within`.
 
     Creating a folder removes those of killed processes, which are no longer locked.
     """

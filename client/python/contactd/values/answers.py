@@ -45,7 +45,7 @@ def read(kind: type[T], value: Any, path: str = "result") -> T:
 
 
 class _Field(NamedTuple):
-    """The reader of a field of a dataclass."""
+    """Returns the reader of a field of a dataclass."""
 
     name: str
     convert: Convert

@@ -1,4 +1,4 @@
-"""Methods of the cases of a file; `contact_files` declares the fields."""
+"""Implements methods of the cases of a file; `contact_files` declares the fields."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Forces of rolling against creepages, returned by `creep_curve`."""
+"""Holds forces of rolling against creepages, returned by `creep_curve`."""
 
 from __future__ import annotations
 

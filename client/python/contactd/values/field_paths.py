@@ -1,4 +1,5 @@
-"""Fields of parameters by their paths, as in error messages: ``friction.rolling.xi``, ``ics.layers[0].G``."""
+"""Gets and sets fields of parameters by their paths, as in error messages: ``friction.rolling.xi``,
+``ics.layers[0].G``."""
 
 from __future__ import annotations
 

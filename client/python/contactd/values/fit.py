@@ -1,4 +1,4 @@
-"""Fitted parameters of a measured creep curve, and their uncertainty."""
+"""Holds fitted parameters of a measured creep curve, and their uncertainty."""
 
 from __future__ import annotations
 

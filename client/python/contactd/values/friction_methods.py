@@ -1,4 +1,4 @@
-"""Construction and wire format of friction; `friction` declares the fields."""
+"""Implements construction and wire format of friction; `friction` declares the fields."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Methods of Grid; `grid` declares the fields."""
+"""Implements methods of Grid; `grid` declares the fields."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Default grids: from the ellipse of Hertz's contact, corrected once from the computed contact."""
+"""Computes default grids from the ellipse of Hertz's contact, corrected once from the computed contact."""
 
 from __future__ import annotations
 

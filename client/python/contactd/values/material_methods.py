@@ -1,4 +1,4 @@
-"""Construction of materials, layered bodies and viscoelastic bodies; `materials` declares the fields."""
+"""Implements construction of materials, layered bodies and viscoelastic bodies; `materials` declares the fields."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ Convert = Callable[[Any, str], Any]
 
 
 class _Member(NamedTuple):
-    """The writer of a field of a dataclass."""
+    """Returns the writer of a field of a dataclass."""
 
     within: str | None  # the enclosing object on the wire, if it is not a class here
     left_out: Any  # the value that is omitted

@@ -1,4 +1,4 @@
-"""Construction of contact problems; `problem` declares the fields."""
+"""Implements construction of contact problems; `problem` declares the fields."""
 
 from __future__ import annotations
 

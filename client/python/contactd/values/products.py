@@ -1,4 +1,4 @@
-"""Products of tables of influence coefficients with tractions, with numpy's FFT."""
+"""Multiplies tables of influence coefficients by tractions, with numpy's FFT."""
 
 from __future__ import annotations
 

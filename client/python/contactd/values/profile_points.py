@@ -1,4 +1,4 @@
-"""Methods of profiles from points and from files."""
+"""Implements methods of profiles from points and from files."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class FileOfProfile:
 
     @staticmethod
     def _write_name(given: str, field: str) -> str:
-        """Writes the name without its folder, which others need not know."""
+        """Writes the name without its folder, which is private."""
         return re.split(r"[\\/]", given)[-1]
 
 

@@ -1,4 +1,4 @@
-"""Profiles of wheels and rails, and their form on the wire."""
+"""Describes profiles of wheels and rails, and their form on the wire."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Wire format of regions; `regions` declares the fields."""
+"""Implements the wire format of regions; `regions` declares the fields."""
 
 from __future__ import annotations
 

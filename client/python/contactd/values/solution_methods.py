@@ -1,4 +1,4 @@
-"""Methods of solutions of contacts; `result` declares the fields."""
+"""Implements methods of solutions of contacts; `result` declares the fields."""
 
 from __future__ import annotations
 

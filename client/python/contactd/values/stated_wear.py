@@ -1,4 +1,4 @@
-"""Laws of wear as objects with their source, in place of a WearRequest."""
+"""Accepts laws of wear as objects with their source, in place of a WearRequest."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Methods of stresses inside the bodies and of their blocks; `subsurface` declares the fields."""
+"""Implements methods of stresses inside the bodies and of their blocks; `subsurface` declares the fields."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Methods of temperatures of both surfaces; `temperature` declares the fields."""
+"""Implements methods of temperatures of both surfaces; `temperature` declares the fields."""
 
 from __future__ import annotations
 

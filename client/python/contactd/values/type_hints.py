@@ -1,4 +1,4 @@
-"""The types of the fields of a class."""
+"""Determines the types of the fields of a class."""
 
 from __future__ import annotations
 

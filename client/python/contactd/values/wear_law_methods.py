@@ -1,4 +1,4 @@
-"""Wire format of wear laws; `wear_laws` declares the fields."""
+"""Implements the wire format of wear laws; `wear_laws` declares the fields."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Methods of the wear of a contact; `result` declares the fields."""
+"""Implements methods of the wear of a contact; `result` declares the fields."""
 
 from __future__ import annotations
 

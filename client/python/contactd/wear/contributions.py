@@ -1,4 +1,4 @@
-"""Wear and fatigue of a section in each state, cell by cell."""
+"""Computes wear and fatigue of a section in each state, cell by cell."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ _KM = 1e6  #: mm
 
 @dataclass
 class Contributions:
-    """Wear per unit of distance, state by state: per km, or per passage if only a rail wears.
+    """Holds wear per unit of distance, state by state: per km, or per passage if only a rail wears.
 
     Attributes:
         part: The wheel or the rail.

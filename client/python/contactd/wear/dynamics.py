@@ -40,7 +40,7 @@ _LINES = 5  #: Number of the last characters of a program's output.
 
 @dataclass(frozen=True)
 class Dynamics:
-    """The source of states, and the criteria for new ones.
+    """Describes the source of states, and the criteria for new ones.
 
     Attributes:
         states: A function of the profiles of worn bodies, (y, z) by "wheel" and "rail", and the distance. Or a program

@@ -1,4 +1,4 @@
-"""The loop of wear: contacts in all states on the current profiles, their wear, and a step of the profiles."""
+"""Runs the loop of wear: contacts in all states on the current profiles, their wear, and a step of the profiles."""
 
 from __future__ import annotations
 

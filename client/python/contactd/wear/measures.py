@@ -1,4 +1,4 @@
-"""Gauge dimensions of worn profiles: flange height, thickness and qR of wheels (EN 15313), W1 to W3 of rails,
+"""Computes gauge dimensions of worn profiles: flange height, thickness and qR of wheels (EN 15313), W1 to W3 of rails,
 conicity.
 """
 

@@ -1,4 +1,4 @@
-"""Length of a step, and the wear of a section in it."""
+"""Chooses the length of a step, and computes the wear of a section in it."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ Array = npt.NDArray[np.float64]
 
 
 class PartStep:
-    """A step of a section, of any distance up to its maximum."""
+    """Represents a step of a section, of any distance up to its maximum."""
 
     def __init__(
         self, rate: Array, size: float, contacts: Sequence[LoadedRows], modulus: float, depth: float, smoothing: float | str

@@ -1,4 +1,4 @@
-"""The wear of a passage, from the rows of a solution to the worn section."""
+"""Computes the wear of a passage, from the rows of a solution to the worn section."""
 
 from __future__ import annotations
 

@@ -32,7 +32,7 @@ class WheelRailClient(Protocol):
 
 
 class StudyPlace:
-    """New profiles, and the positions of their origins.
+    """Holds new profiles, and the positions of their origins.
 
     Attributes:
         points: (y, z) of the new wheel and rail (mm).

@@ -1,4 +1,4 @@
-"""The section of a worn wheel or rail: positions of rows on it, their wear, and the new shape."""
+"""Represents the section of a worn wheel or rail: positions of rows on it, their wear, and the new shape."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ class Section:
         steps = np.diff(self.points, axis=0)
         sizes = np.linalg.norm(steps, axis=1)[:, None]
         directions = steps / sizes
-        # Tangent of the circle through a point and its neighbours.
+        # Returns the tangent of the circle through a point and its neighbours.
         inner = directions[:-1] * sizes[1:] + directions[1:] * sizes[:-1]
         tangents = np.concatenate([directions[:1], inner, directions[-1:]])
         tangents /= np.linalg.norm(tangents, axis=1)[:, None]

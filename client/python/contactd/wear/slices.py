@@ -1,4 +1,4 @@
-"""Wear of rails that vary along the track, such as the nose of a crossing, by a set of wheel states.
+"""Computes wear of rails that vary along the track, such as the nose of a crossing, by a set of wheel states.
 
 States have positions along the track, `position.x`, and represent the passages there. A particle of the rail at x is
 passed by a contact in the steady rolling state at x. Profiles are not changed.

@@ -26,7 +26,7 @@ _SHORTEST = 0.1  #: Wavelength (mm).
 
 @dataclass(frozen=True)
 class LoadedRows:
-    """The rows of a contact together.
+    """Holds the rows of a contact together.
 
     Attributes:
         area: The area that they remove, or a number proportional to it.

@@ -1,4 +1,5 @@
-"""States of a collective: position and motion of a wheelset, and the share of the distance or of the passages."""
+"""Describes states of a collective: position and motion of a wheelset, and the share of the distance or of the
+passages."""
 
 from __future__ import annotations
 

@@ -16,7 +16,7 @@ Array = npt.NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class StepFatigue:
-    """Fatigue of a section in a step, by the cells of its depths.
+    """Holds fatigue of a section in a step, by the cells of its depths.
 
     Attributes:
         damages: Damage of all passages of the step, by the names of the functions.

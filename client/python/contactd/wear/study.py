@@ -1,4 +1,4 @@
-"""The input of an evolution of profiles."""
+"""Describes the input of an evolution of profiles."""
 
 from __future__ import annotations
 
@@ -189,7 +189,7 @@ class WearStudy:
         return found
 
     def sourced(self) -> list[dict[str, Any]]:
-        """Everything with a name and a source: laws, strength, functions of damage."""
+        """Lists everything with a name and a source: laws, strength, functions of damage."""
         fatigue = self._fatigue_params()
         return [*self.law_params(), *([fatigue["strength"]] if fatigue.get("strength") else []), *fatigue.get("damages", [])]
 

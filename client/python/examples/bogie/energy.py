@@ -46,7 +46,7 @@ def balance(equations: Equations, times: Array, states: Array) -> Balance:
 
 
 def energy(equations: Equations, bodies: Array) -> float:
-    """Energy of motion, height and springs (N mm)."""
+    """Returns the energy of motion, height and springs (N mm)."""
     found = 0.0
     spins = along(about_y(bodies[:, PITCH]).transpose(0, 2, 1), bodies[:, RATES])
     for body, state, spin in zip(equations.vehicle.bodies, bodies, spins):

@@ -1,4 +1,4 @@
-"""The equations of motion of rigid bodies with springs, in numpy; an alternative to Exudyn."""
+"""Solves the equations of motion of rigid bodies with springs, in numpy; an alternative to Exudyn."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vehicle import Vehicle
 
 
 class Pull(NamedTuple):
-    """Forces of all springs: tension (N), elongation (mm), and its rate (mm/s)."""
+    """Holds forces of all springs: tension (N), elongation (mm), and its rate (mm/s)."""
 
     tension: Array
     extension: Array
@@ -19,7 +19,7 @@ class Pull(NamedTuple):
 
 
 class Springs:
-    """Forces along lines between points of bodies."""
+    """Computes forces along lines between points of bodies."""
 
     def __init__(self, vehicle: Vehicle) -> None:
         springs = vehicle.springs

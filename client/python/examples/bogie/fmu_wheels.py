@@ -1,5 +1,5 @@
-"""The wheels of a vehicle as FMUs, with FMPy: the same interface as railway/wheels.py. docs/fmu.md lists the variables.
-Needs FMPy (`pip install fmpy`).
+"""Uses FMUs as the wheels of a vehicle, with FMPy: the same interface as railway/wheels.py. docs/fmu.md lists the
+variables.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ ANSWERS = (*WRENCH, "power")
 
 
 class FmuWheels:
-    """An instance of contactd_wheel for each wheel, for either version of FMI.
+    """Holds an instance of contactd_wheel for each wheel, for either version of FMI.
 
     An FMU makes time steps. A wheel has no state between steps, so each evaluation of the integrator is a step of any
     size, and no step must be undone.
@@ -57,7 +57,7 @@ class FmuWheels:
 
 
 class _Wheel:
-    """One instance, with its variables by name."""
+    """Represents one instance, with its variables by name."""
 
     def __init__(self, folder: str, description: Any, parameters: Mapping[str, float]) -> None:
         self._variables = {variable.name: variable for variable in description.modelVariables}

@@ -1,4 +1,5 @@
-"""Critical speed of the bogie, from eigenvalues of small motions, and from simulations with a disturbance."""
+"""Finds the critical speed of the bogie, from eigenvalues of small motions, and from simulations with a
+disturbance."""
 
 from __future__ import annotations
 

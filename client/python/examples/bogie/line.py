@@ -1,4 +1,4 @@
-"""The line of a track: straight, or into a curve with a raised outer rail."""
+"""Describes the line of a track: straight, or into a curve with a raised outer rail."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""The bogie in Exudyn: rigid bodies, Exudyn's springs, and the contacts as forces on the wheelsets' coordinates.
+"""Simulates the bogie in Exudyn: rigid bodies, Exudyn's springs, and the contacts as forces on the wheelsets'
+coordinates.
 
 Exudyn's node RigidBodyRxyz rotates about its first axis, then the second, then the third. With z, x and y of the track
 as these axes, the rotations are yaw, roll and pitch, in contactd's order. Needs Exudyn 1.13 or newer (`pip install

@@ -1,4 +1,4 @@
-"""The wheels of a vehicle on a line: their positions on the rails, and the contact forces on the wheelsets."""
+"""Moves the wheels of a vehicle on a line: their positions on the rails, and the contact forces on the wheelsets."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ ROLL, PITCH, YAW = 3, 4, 5
 
 
 class OnBodies(NamedTuple):
-    """Forces and moments of the rails on the wheelsets.
+    """Holds forces and moments of the rails on the wheelsets.
 
     Attributes:
         forces: Shape [wheelsets, 3] (N).

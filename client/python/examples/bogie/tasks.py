@@ -1,4 +1,4 @@
-"""Further tasks: a curve, the energy balance, and the search for the critical speed."""
+"""Runs further tasks: a curve, the energy balance, and the search for the critical speed."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A bogie of two wheelsets under one end of a coach: rigid bodies, and springs along lines between them.
+"""Describes a bogie of two wheelsets under one end of a coach: rigid bodies, and springs along lines between them.
 
 Coordinates are those of the track at the start: x forwards, y to the right, z down, with the origin on the plane of the
 rail tops, below the middle of the bogie. Units: mm, s, N, and t for masses. Angles are those of contactd: a body is
@@ -34,7 +34,7 @@ class Body:
 
 @dataclass(frozen=True)
 class Spring:
-    """A spring and a damper along the line between two points, each fixed to a body.
+    """Describes a spring and a damper along the line between two points, each fixed to a body.
 
     Such a spring conserves momentum and energy for any rotation of the bodies. Its force has a lateral part that
     depends on its length: a hanging spring is laterally stiffer, a standing one softer.

@@ -30,7 +30,7 @@ from contactd.wheel_rail import ProfileFile
 
 @dataclass(frozen=True)
 class Stage:
-    """A worn profile, and the motion of the bogie on it."""
+    """Holds a worn profile, and the motion of the bogie on it."""
 
     distance: float
     critical: float | None

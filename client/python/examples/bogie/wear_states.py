@@ -33,7 +33,7 @@ SETTLED = 0.4  #: Fraction of the time from which states are used.
 
 
 class HeardWheels:
-    """Wheels with a worn profile; records the states and forces of one of them."""
+    """Solves wheels with a worn profile; records the states and forces of one of them."""
 
     def __init__(self, client: Client, setups: Sequence[WheelRailSetup], wheel: ProfileFile) -> None:
         self._wheels = SessionWheels(client, [setup.replace(wheel=wheel) for setup in setups])

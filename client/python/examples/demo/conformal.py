@@ -54,7 +54,8 @@ DISTANCES = {3.0: (0.003, 0.09), 0.5: (-0.22, 0.43), 0.0: (-0.45, 0.50)}  # of p
 
 @dataclass(frozen=True)
 class Throat:
-    """One contact with each method, and the tables of a rail's head: by finite elements, and by rotated half-spaces."""
+    """Solves one contact with each method, and builds the tables of a rail's head by finite elements and by rotated
+    half-spaces."""
 
     state: WheelRailState
     solutions: dict[str, WheelRailSolution]
@@ -65,7 +66,7 @@ class Throat:
 
 @dataclass(frozen=True)
 class Edge:
-    """A ball over an edge: on the truncated half-space, and on the block."""
+    """Solves a ball over an edge: on the truncated half-space, and on the block."""
 
     grid: Grid
     half_space: ContactSolution

@@ -1,4 +1,4 @@
-"""Curves of S1002 and 60E1 for drawings, in track coordinates: y to the right, z down (mm)."""
+"""Provides curves of S1002 and 60E1 for drawings, in track coordinates: y to the right, z down (mm)."""
 
 from __future__ import annotations
 

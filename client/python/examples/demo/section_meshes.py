@@ -1,4 +1,4 @@
-"""Meshes for tables of cross-sections, created by contactd-ic."""
+"""Makes meshes for tables of cross-sections, by contactd-ic."""
 
 from __future__ import annotations
 

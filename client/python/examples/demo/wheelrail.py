@@ -1,4 +1,4 @@
-"""A wheelset moving across the track: both wheels, compared with the Manchester contact benchmark."""
+"""Moves a wheelset across the track: both wheels, compared with the Manchester contact benchmark."""
 
 from __future__ import annotations
 

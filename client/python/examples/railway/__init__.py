@@ -1,1 +1,1 @@
-"""Common parts of the wheel-rail examples: motion, track, solvers of the wheels, stability."""
+"""Contains common parts of the wheel-rail examples: motion, track, solvers of the wheels, stability."""

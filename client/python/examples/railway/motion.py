@@ -14,7 +14,7 @@ _NEXT = np.array([1, 2, 0])
 
 
 class Motion(NamedTuple):
-    """Motion of the wheelset, with the names and signs of `contactd.wheel_rail`.
+    """Holds the motion of the wheelset, with the names and signs of `contactd.wheel_rail`.
 
     Attributes:
         distance: Distance of the centre along the track (mm).

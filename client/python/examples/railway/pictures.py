@@ -1,4 +1,4 @@
-"""Common pictures of the wheel-rail examples. Needs matplotlib."""
+"""Draws common pictures of the wheel-rail examples. Needs matplotlib."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The classical fourth-order Runge-Kutta method, in numpy, like the integrator of a multibody program."""
+"""Implements the classical fourth-order Runge-Kutta method, in numpy, like the integrator of a multibody program."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Speed below which hunting decays: from eigenvalues, and from simulations with a disturbance."""
+"""Finds the speed below which hunting decays, from eigenvalues and from simulations with a disturbance."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Track irregularities as a smooth function of the distance, reproducible by a seed."""
+"""Creates track irregularities as a smooth function of the distance, reproducible by a seed."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ class Track:
 
 
 class IrregularTrack(Track):
-    """Alignment, level and cross level with the spectra of ERRI B 176, as used by Claus and Schiehlen (1998):
+    """Describes alignment, level and cross level with the spectra of ERRI B 176, as used by Claus and Schiehlen
+    (1998):
 
         S(w) = A wc^2/((w^2 + wr^2)(w^2 + wc^2)),  A = 2.119e-7 rad m across, 4.032e-7 up and down (good track),
 

@@ -39,7 +39,7 @@ SETUPS = {
 
 
 class OnWheelset(NamedTuple):
-    """Force and moment of one wheel's rail on its wheelset.
+    """Holds the force and moment of one wheel's rail on its wheelset.
 
     Attributes:
         force: Force in track coordinates (N).

@@ -1,4 +1,4 @@
-"""Forces of the rails on the wheelset: by contactd, or by the linear theory of textbooks."""
+"""Computes forces of the rails on the wheelset, by contactd or by the linear theory of textbooks."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from contactd.wheel_rail import WheelRailSetup
 
 
 class WheelRailContact:
-    """Both wheels, solved by contactd at the given height of the wheelset."""
+    """Represents both wheels, solved by contactd at the given height of the wheelset."""
 
     def __init__(self, client: Client, setup: WheelRailSetup, track: Track | None = None) -> None:
         self._client, self._track = client, track or Track()

@@ -1,4 +1,4 @@
-"""The wheelset in Exudyn: a rigid body, Exudyn's springs and dampers, and the contact as a user function.
+"""Simulates the wheelset in Exudyn: a rigid body, Exudyn's springs and dampers, and the contact as a user function.
 
 Exudyn's node RigidBodyRxyz rotates about its first axis, then the second, then the third. With z, x and y of the track
 as these axes, the rotations are yaw, roll and pitch, in contactd's order. Needs Exudyn 1.13 or newer (`pip install

@@ -1,4 +1,5 @@
-"""The wheelset's equations of motion and the classical Runge-Kutta method in numpy; an alternative to Exudyn.
+"""Implements the wheelset's equations of motion and the classical Runge-Kutta method in numpy; an alternative to
+Exudyn.
 
 The state is (x, y, z, roll, yaw, vx, vy, vz, roll rate, pitch rate, yaw rate). x and vx are relative to the frame, and
 the pitch rate is relative to that of pure rolling, so they are zero in straight running.

@@ -1,4 +1,4 @@
-"""Hunting of the wheelset, from eigenvalues."""
+"""Computes the hunting of the wheelset from eigenvalues."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A wheelset on its primary suspension, below a frame with constant speed.
+"""Describes a wheelset on its primary suspension, below a frame with constant speed.
 
 Track coordinates relative to the frame: x forwards, y to the right, z down (docs/wheel-rail.md). The wheelset is
 rotated by its yaw about z, then by its roll about its own x; its pitch is about its axle. Units: mm, s, N, and t for

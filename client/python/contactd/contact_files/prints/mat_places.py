@@ -1,4 +1,4 @@
-"""Positions of rail, wheel and patch for the header of a .mat file."""
+"""Computes positions of rail, wheel and patch for the header of a .mat file."""
 
 from __future__ import annotations
 

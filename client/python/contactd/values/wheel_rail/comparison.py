@@ -1,4 +1,4 @@
-"""One case with several contact models, and their errors against the full theory."""
+"""Compares one case with several contact models, and their errors against the full theory."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Wear of a wheel or a rail in one passage."""
+"""Computes wear of a wheel or a rail in one passage."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The state of a wheelset that rolls without slip on its nominal radius."""
+"""Creates the state of a wheelset that rolls without slip on its nominal radius."""
 
 from __future__ import annotations
 

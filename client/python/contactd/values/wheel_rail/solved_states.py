@@ -1,4 +1,4 @@
-"""The states of solutions of wheels on rails, kept as long as the solutions."""
+"""Keeps the states of solutions of wheels on rails as long as the solutions."""
 
 from __future__ import annotations
 
