@@ -1,4 +1,4 @@
-"""Writes the table of docs/limits.md from what the daemon says of its methods; the text above it is kept.
+"""Writes the table of docs/limits.md from the costs of methods that the daemon reports; the text above it is kept.
 
     ./dev docs           (python3 docs/limits_table.py build/development/bin/contactd)
 """
@@ -29,7 +29,7 @@ def table(examples: list[dict[str, Any]]) -> str:
     ]
     little = ", ".join(f"`{example['method']}`" for example in examples if example["bytes"] is None)
     head = "| method | arguments | memory | time of a processor |\n|---|---|---|---|\n"
-    return f"{head}{chr(10).join(rows)}\n\nAll others take little beside their messages:\n{_wrapped(little)}.\n"
+    return f"{head}{chr(10).join(rows)}\n\nAll other methods need little memory in addition to their messages:\n{_wrapped(little)}.\n"
 
 
 def _time(example: dict[str, Any]) -> str:

@@ -180,7 +180,7 @@ def page(document: Schema, current: str) -> str:
     """Returns the whole page: the text above the mark, and the reference."""
     above, mark, _ = current.partition(MARK)
     if not mark:
-        raise SystemExit(f"{PAGE} lacks the line that says where the reference begins:\n{MARK}")
+        raise SystemExit(f"{PAGE} lacks the line that marks the start of the reference:\n{MARK}")
     return above + MARK + "\n" + Reference(document).text()
 
 

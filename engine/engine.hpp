@@ -53,8 +53,8 @@ class Engine {
     /// step with an equal set-up. Throws InvalidArgument naming "setup.track.gauge", "state.position.z", ..., and
     /// Cancelled.
     WheelRailSolution solve(const WheelRailSetup& setup, const WheelRailState& state, Observer& observer);
-    /// Does the same within the tolerances, starting from the end of the previous step. `estimates` become those for the
-    /// next step, and are undefined if this throws.
+    /// Does the same within the tolerances, starting from the end of the previous step. `estimates` become those for
+    /// the next step, and are undefined if this throws.
     WheelRailSolution solve(const WheelRailSetup& setup, const WheelRailState& state, WheelRailEstimates& estimates,
                             Observer& observer);
     /// Solves both wheels, and finds the roll at which each has its force. Throws the same, naming "setup.", "left."

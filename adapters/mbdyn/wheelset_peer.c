@@ -44,7 +44,7 @@ int main(int count, char** arguments) {
     mbc.mbc.timeout = -1;
     int status = 1;
     if (mbc_unix_init((mbc_t*)&mbc, arguments[1]))
-        failed("nobody listens at the socket");
+        failed("no program listens at the socket");
     else if (mbc_nodal_init(&mbc, 0, 1, 0, MBC_ROT_MAT, 0) || mbc_nodal_negotiate_request(&mbc))
         failed("MBDyn has another idea of the nodes");
     else

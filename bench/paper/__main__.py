@@ -83,7 +83,7 @@ def main(words: list[str] | None = None) -> int:
         say(f"paper: {error}")
         return 1
     except KeyboardInterrupt:
-        say(f"paper: interrupted; finished computations are in {path}, and the same command goes on from there")
+        say(f"paper: interrupted; finished computations are in {path}; repeat the command to continue")
         return 130
     return 0
 

@@ -42,7 +42,7 @@ def write_page(section: Section, folder: Path, version: str, say: Say) -> None:
     page = f"{section.name}.md"
     missing = [name for name in section.parts if not (folder / f"{name}.csv").is_file()]
     if missing:
-        say(f"{page} is written when these parts are there, too: {', '.join(missing)}")
+        say(f"{page} is not written, because these parts are missing: {', '.join(missing)}")
         return
     try:
         text, surprises = render(section, {name: read_csv(folder / f"{name}.csv") for name in section.parts}, version)
@@ -52,4 +52,4 @@ def write_page(section: Section, folder: Path, version: str, say: Say) -> None:
     (folder / page).write_text(text)
     say(f"wrote {folder / page}")
     for name in surprises:
-        say(f"note: '{name}' came out otherwise than its text in bench/paper/{page}.in was written for")
+        say(f"note: the result of '{name}' contradicts its text in bench/paper/{page}.in")

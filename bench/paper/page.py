@@ -15,7 +15,7 @@ from .finding import Rows
 from .section import Section
 
 WORDS = {"agrees": True, "differs": False, "yes": True, "no": False}
-DOUBT = "*(With these numbers the outcome is not the one that the text beside it was written for.)*"
+DOUBT = "*(These numbers contradict the text next to them.)*"
 
 
 def render(section: Section, rows: Rows, version: str) -> tuple[str, list[str]]:

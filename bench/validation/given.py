@@ -60,8 +60,8 @@ def given_files(folder: Path) -> list[GivenFile]:
         listed = json.loads((folder / LIST).read_text())["files"]
     except FileNotFoundError:
         raise FilesMissing(
-            f"{folder / LIST} is not there: the cases of the CONTACT program are not part of this repository; "
-            "say by --cases in which folder they are"
+            f"{folder / LIST} is missing: the cases of the CONTACT program are not part of this repository; "
+            "give their folder by --cases"
         ) from None
     except (ValueError, KeyError, TypeError):
         raise FilesMissing(f"{folder / LIST} is no list of cases") from None

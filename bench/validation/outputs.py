@@ -53,7 +53,7 @@ def write_page(folder: Path, say: Say) -> None:
         pages.write_pages()
     say("wrote " + ", ".join(map(str, [*written, page])))
     for name in surprises:
-        say(f"note: '{name}' came out otherwise than its text in bench/validation/{PAGE}.in was written for")
+        say(f"note: the result of '{name}' contradicts its text in bench/validation/{PAGE}.in")
 
 
 def render(folder: Path) -> tuple[str, list[str]]:

@@ -80,7 +80,7 @@ class CoefficientLines {
     std::vector<std::string> words_;
 };
 
-/// Reads the first lines. They must stand for one table for all rows, and for the supported columns and symmetries.
+/// Reads the first lines. They must describe one table for all rows, and for the supported columns and symmetries.
 void read_kind(CoefficientLines& lines) {
     lines.header();
     if (lines.has_numbers() && lines.number(0) != 1)

@@ -169,7 +169,7 @@ ProfileOptions profile_options(const ProfileNumbers& numbers, const Units& units
     options.kinks.angle = positive_or(numbers.kink_high, usual.angle);
     options.kinks.rest = positive_or(numbers.kink_low, options.kinks.angle / 5);
     const double width = numbers.kink_width;
-    // A width of 0 stands for the default unless an angle is given.
+    // A width of 0 selects the default unless an angle is given.
     const bool is_given = width > 0 || (width == 0 && numbers.kink_high > 0);
     options.kinks.width = is_given ? width * units.length : usual.width;
     return options;

@@ -138,7 +138,7 @@ bool ContactFileReader::State::find_case() {
 
 bool ContactFileReader::State::begin_case() {
     if (lines.next()) return true;
-    errors.push_back(lines.where() + " begins a case but is the end of the file");
+    errors.push_back(lines.where() + " is the end of the file, but a case must follow");
     has_ended = true;
     return false;
 }

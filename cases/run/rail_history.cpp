@@ -12,7 +12,8 @@ enum Previous { go_on = 0, from_pressures = 1, again = 3 };
 }  // namespace
 
 RailHistory::SharedEstimates RailHistory::start_of(const Given& given, Model model, const WheelRailState& state) const {
-    // Simplified models have no tractions to start from. The last case only tells where to search for the height.
+    // Simplified models have no tractions to start from. The last case only provides the start of the search for the
+    // height.
     if (model != Model::full) return end_;
     const bool is_steady = state.motion == WheelRailMotion::steady_rolling;
     const bool has_estimate = given.digits.estimate != 0;

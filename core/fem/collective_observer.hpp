@@ -13,8 +13,8 @@ class CollectiveObserver {
         MPI_Comm_rank(comm, &rank_);
     }
 
-    /// Reports on the first process. Collective; throws Cancelled on all processes when the first one's observer says
-    /// so.
+    /// Reports on the first process. Collective; throws Cancelled on all processes when the observer of the first
+    /// process cancels.
     void report(const Progress& progress) {
         int cancelled = 0;
         if (rank_ == 0) {

@@ -2,9 +2,9 @@
 
     c_header.py FILE
 
-* ``/* --- words --- */`` begins a group of that name. A comment after it, followed by a blank line, describes the group.
-* A comment above declarations belongs to all of them, up to a blank line or the next comment.
-* A comment behind a declaration belongs to it. For an enum in one line it is moved above, as doxygen requires.
+* ``/* --- words --- */`` begins a group of that name. A comment after it, followed by a blank line, describes the
+* group. * A comment above declarations belongs to all of them, up to a blank line or the next comment. * A comment
+* after a declaration belongs to it. For an enum in one line it is moved above, as doxygen requires.
 """
 
 from __future__ import annotations
@@ -43,7 +43,7 @@ def _parts(text: str) -> Iterator[str]:
 
 
 def _documented(code: str, above: str) -> str:
-    """Returns the code with `above` before each of its declarations, and with marked comments behind them."""
+    """Returns the code with `above` before each of its declarations, and with marked comments after them."""
     code = re.sub(r"(?m)^(enum \{.*\};) +/\*(.*?)\*/$", r"/**\2*/\n\1", code)
     over, blank, rest = code.partition("\n\n")
     if above:

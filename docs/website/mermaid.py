@@ -49,7 +49,7 @@ def statements(line: str) -> list[str]:
         return [*filter(None, ends), f"{start} -> {end} [{style}]"]
     if node := re.fullmatch(NODE, line):
         return [drawn(*node.groups())]
-    raise ValueError(f"docs/website/mermaid.py does not know how to draw '{line}'")
+    raise ValueError(f"docs/website/mermaid.py cannot draw '{line}'")
 
 
 def drawn(name: str, shape: str | None, text: str | None) -> str:

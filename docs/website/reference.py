@@ -91,7 +91,7 @@ def wire() -> str:
     links = {"openrpc": ("openrpc", "All methods and messages in one document")}
     links |= {f"schema/{name}": (name, _sentence(name)) for name in names}
     rows = [f'<tr><td><a href="../../{file}.json">{name}</a></td><td>{text}</td></tr>' for file, (name, text) in links.items()]
-    head = "<thead><tr><th>file</th><th>what it describes</th></tr></thead>"
+    head = "<thead><tr><th>file</th><th>content</th></tr></thead>"
     return f'<div class="table-wrapper"><table class="docutils">{head}<tbody>{"".join(rows)}</tbody></table></div>\n'
 
 

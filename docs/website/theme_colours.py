@@ -8,7 +8,7 @@ from pathlib import Path
 
 __all__ = ["dark_colours", "of_the_theme"]
 
-#: The theme's style sheet has what Sphinx gives a page; where it is, its package knows.
+#: The theme's style sheet includes the basic one of Sphinx, which its package locates.
 STYLE = "theme/furo/static/styles/furo.css"
 
 

@@ -19,9 +19,8 @@ struct JobProgress {
     double fraction = 0;
     int iteration = 0;
     double residual = 0;
-    std::optional<double> seconds_left = std::nullopt;  ///< estimate, if available
-    std::optional<std::uint64_t> memory_bytes =
-        std::nullopt;  ///< estimate of the largest memory, if available
+    std::optional<double> seconds_left = std::nullopt;         ///< estimate, if available
+    std::optional<std::uint64_t> memory_bytes = std::nullopt;  ///< estimate of the largest memory, if available
 };
 
 /// Holds the kind and owner of a job.

@@ -1,8 +1,8 @@
 """Assembles a release from the built parts: python3 packaging/release check VERSION, or assemble VERSION FOLDER.
 
-check lists the reasons why this clone cannot be released as it is. assemble takes wheels, packages, libraries, FMUs and
-the site from the build folder, and makes the archives, the bill of materials, the notices and the checksums. ./dev
-release signs them.
+check lists the reasons why this clone cannot be released. assemble takes wheels, packages, libraries, FMUs and the
+site from the build folder, and makes the archives, the bill of materials, the notices and the checksums. ./dev release
+signs them.
 """
 
 from __future__ import annotations

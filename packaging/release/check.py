@@ -27,10 +27,10 @@ def problems(folder: Path, signers: Path, name: str = NAMESPACE) -> list[str]:
     if not signers.is_file():
         return [f"{signers} is not a file; it must be one of signers, with a line such as: {name} ssh-ed25519 AAAA..."]
     if shutil.which("ssh-keygen") is None:
-        return ["ssh-keygen is missing, which checks signatures; OpenSSH's client has it"]
+        return ["ssh-keygen, which checks signatures, is missing; install the client of OpenSSH"]
     for file in (sums, signature):
         if not file.is_file():
-            return [f"{file.name} is missing: nobody has signed these files"]
+            return [f"{file.name} is missing: these files are not signed"]
     command = ["ssh-keygen", "-Y", "verify", "-f", str(signers), "-I", name, "-n", NAMESPACE, "-s", str(signature)]
     verified = subprocess.run(command, input=sums.read_bytes(), capture_output=True, check=False)
     if verified.returncode != 0:

@@ -93,7 +93,7 @@ class Collected:
             part = self._resolved(properties[name])
             own = {**part.get("x-python", {}), **options.get("of_fields", {}).get(name, {})}
             if unknown := (own.keys() - OF_FIELDS) | (options.keys() - OF_CLASSES):
-                raise DeclarationError(f"{name} has {', '.join(sorted(unknown))} in Python, which nobody knows")
+                raise DeclarationError(f"{name} has {', '.join(sorted(unknown))} in Python, which are unknown")
             if name in options.get("without", ()):
                 continue
             part = {**part, "x-python": own}
@@ -194,7 +194,7 @@ def _sentence(schema: Schema, default: str | None, says_range: bool) -> str:
 
 
 def _range(schema: Schema) -> str:
-    """Returns bounds worth stating. Others only exclude absurd values, or exclude negative counts."""
+    """Returns bounds that are useful to state. Others only exclude absurd values, or exclude negative counts."""
     found = {key: schema[key] for key in BOUNDS if abs(schema.get(key, MEANT_BY_NOBODY)) < MEANT_BY_NOBODY}
     if {*found} == {"minimum", "maximum"}:
         return f"{found['minimum']:g} to {found['maximum']:g}"

@@ -82,7 +82,7 @@ MODULES = [
     ),
     Module(
         "evidence",
-        "How a contact problem is solved, and what that is worth: models, settings of the solvers, and evidence of theirs and "
+        "Models and settings of solvers for contact problems, and evidence of the accuracy of solutions and "
         "of tables of influence coefficients.",
         (
             "definitions.json#/definitions/wheel_rail_setup/properties/model",

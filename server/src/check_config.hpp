@@ -1,4 +1,4 @@
-// contactd --check-config: reports what would fail at the start, before it does.
+// contactd --check-config: reports problems that would make the start fail.
 #pragma once
 
 #include <iosfwd>

@@ -112,5 +112,5 @@ def test_failures_have_sentences(mbdyn, chrono, motions):
     for ended in (run(mbdyn, motions, "local", "springs", 0.3, 0.001), run(chrono, motions, "local", "springs")):
         assert ended.returncode == 1
         assert "setup.model is" in ended.stderr
-    assert "nobody listens" in run(mbdyn, motions.with_name("none"), "local", "fastsim", 0.3, 0.001).stderr
+    assert "no program listens" in run(mbdyn, motions.with_name("none"), "local", "fastsim", 0.3, 0.001).stderr
     assert "SOCKET WHERE MODEL" in run(mbdyn).stderr

@@ -160,7 +160,7 @@ def test_without_exudyn_the_example_says_how_to_install_it(tmp_path):
         (["--element", "0"], "--element must be 0.1 to 2 mm"),
         (["--output", "/no/where"], "is not a folder"),
         (["--fmu", "/no/where"], "is not a file"),
-        (["--fmu", BOGIE / "__main__.py", "--curve"], "--fmu goes with --speeds"),
+        (["--fmu", BOGIE / "__main__.py", "--curve"], "--fmu requires --speeds"),
         (["--contacts", "elastic"], "invalid choice: 'elastic'"),
     ],
 )

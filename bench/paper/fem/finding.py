@@ -29,5 +29,5 @@ def signed(points: Sequence[Row]) -> str:
 
 def ratio_text(*rows: Row | None) -> str:
     """Returns the L/h of these points, or a single value if they are equal."""
-    found = [f"{row['L'] / row['h']:.0f}" if row else "none that was tried" for row in rows]
+    found = [f"{row['L'] / row['h']:.0f}" if row else "none of the tested ones" for row in rows]
     return "L/h = " + ", ".join(found if len(set(found)) > 1 else found[:1])

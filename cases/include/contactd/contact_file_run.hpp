@@ -75,8 +75,8 @@ struct ContactFileOutcome {
     std::string sentence;               ///< the reason if there are no results, or their limitation
     std::vector<std::string> warnings;  ///< of the solution
     double seconds = 0;                 ///< of the solve
-    /// Of the whole case: of module 3 those of its contact, of module 1 FX(TR), FY(TR), FZ(TR), FX(WS), FY(WS), FZ(WS),
-    /// and Z_WS and VPITCH_WS if they were searched for.
+    /// Contains forces of the whole case: for module 3 those of its contact, for module 1 FX(TR), FY(TR), FZ(TR),
+    /// FX(WS), FY(WS), FZ(WS), and Z_WS and VPITCH_WS if they were searched for.
     ByName<double> numbers;
     std::variant<std::monostate, SolveReply, WheelRailSolution> solution;
     std::vector<ContactFilePatch> patches;  ///< of module 1 from the field side to the gauge side

@@ -108,7 +108,7 @@ void Instance::step(double time, double size) {
     require(Phase::stepping, "A step");
     if (!std::isfinite(time) || !std::isfinite(size) || !(size > 0))
         throw Failure("A step from " + quoted(time) + " by " + quoted(size) +
-                      " s is none; both must be finite, and the size more than 0.");
+                      " s is invalid: both must be finite, and the size positive.");
     check_time(time, size);
     Values after = values_;
     model_->step(after, size);

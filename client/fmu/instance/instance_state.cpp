@@ -56,7 +56,7 @@ std::vector<double> Instance::derivative(std::span<const std::uint32_t> of, std:
             if (std::isnan(one))
                 throw Failure(Status::discard, std::string(kind_.variables[of[row]].name) + " has no derivative by " +
                                                    std::string(kind_.variables[by[column]].name) +
-                                                   " here: without contact, friction or convergence there is none.");
+                                                   " here: derivatives require contact, friction and convergence.");
             answer[row] += one * seed[column];
         }
     return answer;

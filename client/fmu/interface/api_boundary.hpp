@@ -34,7 +34,7 @@ Value& given(Value* value, const char* name) {
 inline State& state_of(void* state) {
     if (state == nullptr) throw Failure("The FMU state is NULL.");
     State* const found = Live<State>::all().find(state);
-    if (found == nullptr) throw Failure("The FMU state is none: it was freed, or came from another FMU.");
+    if (found == nullptr) throw Failure("The FMU state is invalid: it was freed, or belongs to another FMU.");
     return *found;
 }
 

@@ -96,10 +96,10 @@ fmi3Status fmi3EnterContinuousTimeMode(fmi3Instance handle) {
     return absent(handle, "continuous time");
 }
 fmi3Status fmi3CompletedIntegratorStep(fmi3Instance handle, fmi3Boolean, fmi3Boolean*, fmi3Boolean*) {
-    return absent(handle, "integrator to serve");
+    return absent(handle, "integrator steps");
 }
 fmi3Status fmi3SetTime(fmi3Instance handle, fmi3Float64) {
-    return absent(handle, "time to be set; steps say it");
+    return absent(handle, "settable time; steps define it");
 }
 fmi3Status fmi3SetContinuousStates(fmi3Instance handle, const fmi3Float64[], std::size_t) {
     return absent(handle, "continuous states");

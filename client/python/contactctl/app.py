@@ -90,7 +90,7 @@ def _run(arguments: Sequence[str] | None) -> int:
         return Code.INTERRUPTED
     except KeyboardInterrupt as error:  # before the command has begun
         return code_of(error)
-    except SystemExit:  # of click's, where nobody reads its help
+    except SystemExit:  # is click's, but its help is hidden
         drop_output()
         return Code.PIPE
     except OSError as error:  # of its help, too

@@ -22,7 +22,7 @@ def main() -> int:
         try:
             shutil.copytree(HERE, sys.argv[1], ignore=shutil.ignore_patterns("__pycache__", "__main__.py"))
         except FileExistsError:
-            print(f"{sys.argv[1]} is there already; name a folder that is not.", file=sys.stderr)
+            print(f"{sys.argv[1]} exists; name a new folder.", file=sys.stderr)
             return 2
         for folder in (path.parent for path in HERE.glob("*/__main__.py")):
             shutil.copy(folder / "__main__.py", Path(sys.argv[1]) / folder.name)

@@ -1,8 +1,8 @@
 // Builds tables on meshes that are refined by an a-posteriori error estimate.
 #pragma once
 
-#include "mesh_build.hpp"
 #include "mesh/refined_block.hpp"
+#include "mesh_build.hpp"
 
 namespace contactd::fem {
 

@@ -25,7 +25,7 @@ struct Shells {
 Shells make_shells(const IcSpec& spec);
 
 /// Identifies an element by its place. In the box, `layer` is 0 and `index` counts along the axes. In layer j >= 1, the
-/// element belongs to the frustum behind the face normal to axis `face`, and index[face] is unused.
+/// element belongs to the frustum beyond the face normal to axis `face`, and index[face] is unused.
 struct ElementPosition {
     int layer = 0;
     int face = 0;

@@ -31,7 +31,7 @@ fs::path module_file() {
         ", which meshes sections, is missing. Install contactd completely, or put the module beside the program.");
 }
 
-/// Open until the program ends: gmsh does not bear being unloaded.
+/// Stays open until the program ends, because gmsh does not support unloading.
 FillOutline* open_module() {
     const fs::path file = module_file();
     void* module = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);

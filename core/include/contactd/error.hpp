@@ -8,7 +8,7 @@
 
 namespace contactd {
 
-/// This is the base of every exception thrown on purpose. `what()` is a whole sentence.
+/// This is the base of every exception thrown deliberately. `what()` is a whole sentence.
 class Error : public std::runtime_error {
    public:
     using std::runtime_error::runtime_error;

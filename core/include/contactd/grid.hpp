@@ -21,7 +21,7 @@ struct Grid {
         return {nx, ny, dx, dy, -0.5 * nx * dx, -0.5 * ny * dy};
     }
 
-    [[deprecated("takes the size of an element, not of the whole as Python's; say of_elements")]]
+    [[deprecated("takes the size of an element, unlike Python's, which takes the whole size; use of_elements")]]
     static Grid centred(int nx, int ny, double dx, double dy) {
         return of_elements(nx, ny, dx, dy);
     }

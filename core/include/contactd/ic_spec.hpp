@@ -37,8 +37,8 @@ enum class FarBoundary { clamped, half_space };
 enum class Sampling { fem, linear, linear_nodes };
 /// Selects BoomerAMG-preconditioned conjugate gradients, sparse Cholesky (one process only), or the faster of the two.
 enum class Solver { automatic, amg_pcg, direct };
-/// Selects what conjugate gradients compare with the tolerance: the true relative residual ||b - A u|| / ||b||, or the
-/// relative update ||u_new - u|| / ||u_new|| (the paper, section 3).
+/// Selects the quantity that conjugate gradients compare with the tolerance: the true relative residual ||b - A u|| /
+/// ||b||, or the relative update ||u_new - u|| / ||u_new|| (the paper, section 3).
 enum class StoppingCriterion { residual, update };
 /// Selects the diagonal of Mesh2 that divides a quadrilateral of the cross-section into triangles. `outward` runs from
 /// the corner nearest to the origin to the farthest one; `across` joins the other two.

@@ -30,7 +30,7 @@ bool is_ic_key(std::string_view text);
 /// StoreError.
 void write_ic_file(const std::filesystem::path& path, const IcRecord& record);
 
-/// The content of a file differs from what was written.
+/// The content of a file differs from the written content.
 class DamagedTable : public StoreError {
    public:
     using StoreError::StoreError;

@@ -1,4 +1,4 @@
-// The smallest ball around few points on its surface is extended to the farthest point outside, until there is none
+// Extends the smallest ball around few points on its surface to the farthest point outside, until there is none
 // (Fischer, Gaertner and Kutz 2003). All subsets of the few points are tried to find those that remain: there are at
 // most six of them in five dimensions.
 #include "smallest_ball.hpp"

@@ -199,7 +199,7 @@ void read_points(const json& source, void* value, const MemberPath& path, const 
     as<std::vector<ProfilePoint>>(value) = decode_pairs(source, with.frames, path.text());
 }
 
-// --- what bodies are made of -----------------------------------------------------------------------------------------
+// --- bodies ---------------------------------------------------------------------------------------------------------
 json write_material(const void* value, const MemberPath&, const Writing&) {
     const auto& material = as<Material>(value);
     return material.is_rigid() ? json{{"rigid", true}} : encode_material(material);

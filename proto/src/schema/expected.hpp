@@ -1,4 +1,4 @@
-// Describes in words what a schema requires of a value.
+// Describes in words the requirements of a schema on a value.
 #pragma once
 
 #include <optional>

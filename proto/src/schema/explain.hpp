@@ -9,7 +9,7 @@
 
 namespace contactd::proto {
 
-/// More violations would help nobody, and would let an attacker fill the memory.
+/// More violations would not help users, and would let an attacker fill the memory.
 inline constexpr std::size_t max_violations = 20;
 
 /// Returns the violations of `schema` (with references inlined) by `document`: one per field, and only the deepest

@@ -24,7 +24,7 @@ using engine::WorkerPool;
 /// Holds the route of an answer to its client.
 struct Route {
     std::string identity;          ///< identity of the client, given by ROUTER
-    bool empty_delimiter = false;  ///< true for a REQ socket: one answer only, behind an empty frame
+    bool empty_delimiter = false;  ///< true for a REQ socket: one answer only, after an empty frame
     std::string user{};            ///< the sender of the request (AccessControl); empty when its key was revoked
 };
 

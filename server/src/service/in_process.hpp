@@ -18,7 +18,7 @@ namespace contactd::server {
 class Exchange {
    public:
     using Clock = std::chrono::steady_clock;
-    using Message = proto::Frames;  ///< Holds the envelope and the array frames behind it.
+    using Message = proto::Frames;  ///< Holds the envelope and the array frames after it.
 
     virtual ~Exchange() = default;
     /// Returns the next message: progress, or the answer, which is the last one; nothing if `until` passes first. A

@@ -101,7 +101,7 @@ std::optional<Message> AnsweringSocket::receive() {
     zmq::message_t part;
     if (!socket_.recv(part, zmq::recv_flags::dontwait)) return std::nullopt;
     Message message{{part.to_string(), false, access_.user_of(part)}, zmq_msg_get(part.handle(), ZMQ_SRCFD), {}, {}};
-    std::size_t count = 0;  // counts the frames behind the identity and the empty frame of a REQ socket
+    std::size_t count = 0;  // counts the frames after the identity and the empty frame of a REQ socket
     for (bool more = part.more(); more;) {
         if (!socket_.recv(part, zmq::recv_flags::none)) break;
         more = part.more();

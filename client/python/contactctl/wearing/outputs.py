@@ -132,7 +132,7 @@ def write_pictures(folder: Path, study: WearStudy, steps: Sequence[WornStep], me
     labels = {"conicity": "equivalent conicity", "flange": "change (mm)", "head": "mm"}
     for name, members in _GROUPS.items():
         values = {member: measures[member] for member in members if member in measures}
-        if name == "flange":  # the profile hardly changes on its own scale
+        if name == "flange":  # the profile changes too little for its own scale
             values = {f"{member}, {numbers[0]:.2f} new": [number - numbers[0] for number in numbers] for member, numbers in values.items()}
         if values:
             picture(f"{name}.png", lambda axes, values=values, name=name: draw_measures(axes, measures["distance"], values, study.unit, labels[name]))

@@ -115,7 +115,7 @@ def _options() -> argparse.Namespace:
     parser.add_argument(
         "--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="critical speeds between these (m/s)"
     )
-    parser.add_argument("--output", type=Path, help="folder of the pictures; default: none are drawn")
+    parser.add_argument("--output", type=Path, help="folder of the pictures; default: no pictures")
     options = parser.parse_args()
     if not options.seconds > 0 or not all(speed >= 30 for speed in [*options.speeds, *(options.search or ())]):
         parser.error("--seconds must be positive, and --speeds at least 30 m/s: slower ones need a smaller step")
@@ -124,7 +124,7 @@ def _options() -> argparse.Namespace:
     if options.fmu is not None and not options.fmu.is_file():
         parser.error(f"--fmu: {options.fmu} is not a file; ./dev fmu makes build/fmu/contactd_wheel_fmi3.fmu")
     if options.fmu is not None and (options.curve or options.energy or options.search):
-        parser.error("--fmu goes with --speeds, not with --curve, --energy or --search")
+        parser.error("--fmu requires --speeds, and cannot be combined with --curve, --energy or --search")
     if options.output is not None and not options.output.is_dir():
         parser.error(f"--output: {options.output} is not a folder")
     return options

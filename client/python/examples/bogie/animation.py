@@ -14,7 +14,7 @@ from railway.motion import Array
 from rolling import PLACE, YAW
 from runs import Run
 
-STRETCH = 30.0  # of what is across the track
+STRETCH = 30.0  # scale of lengths across the track
 SLOWER = 8.0  # than in truth
 PICTURES = 12  # a second
 HALF_GAUGE, HALF_AXLE, WHEEL = 750.0, 900.0, 460.0  # mm

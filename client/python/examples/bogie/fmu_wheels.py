@@ -142,7 +142,7 @@ def parameters_of(setup: WheelRailSetup) -> dict[str, float]:
     """
     given = {name for name, value in vars(setup).items() if value is not None}
     if more := given - {"side", "model", "friction", "dx", "dy"}:
-        raise ValueError(f"the set-up says {', '.join(sorted(more))}, of which FmuWheels tells its FMUs nothing")
+        raise ValueError(f"the set-up contains {', '.join(sorted(more))}, which FmuWheels does not pass to its FMUs")
     return {
         "side": 0 if setup.side == "left" else 1, "model": MODELS.index(setup.model), "friction.mu": setup.friction.mu,
         "elements.dx": setup.dx, "elements.dy": setup.dy,

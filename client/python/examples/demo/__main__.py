@@ -183,9 +183,9 @@ def run(options: argparse.Namespace) -> int:
         with daemon.client(timeout=60) as client:
             show_daemon(daemon, client)
             if options.what == "wheelrail":
-                checks, question = show_wheelset(client, options.output), "Is it as the benchmark has it?"
+                checks, question = show_wheelset(client, options.output), "Do the results agree with the benchmark?"
             elif options.what == "profiles":
-                checks, question = show_profiles(client, options.output), "Is it as closed forms have it?"
+                checks, question = show_profiles(client, options.output), "Do the results agree with closed forms?"
             elif options.what == "conformal":
                 checks, question = show_conformal(client, options.bin, options.output), "Is it as the prototype had it?"
             else:
@@ -211,12 +211,12 @@ def main() -> int:
     warnings.simplefilter("ignore", ContactWarning)  # Grids are as coarse as those of the reference values.
     parser = argparse.ArgumentParser(prog="demo", description=(__doc__ or "").split("\n\n")[0])
     parser.add_argument(
-        "what", nargs="?", choices=["cattaneo", "wheelrail", "profiles", "conformal"], default="cattaneo", help="what to show (cattaneo)"
+        "what", nargs="?", choices=["cattaneo", "wheelrail", "profiles", "conformal"], default="cattaneo", help="the demonstration (cattaneo)"
     )
     parser.add_argument(
         "--bin", type=Path, default=Path("build/production/bin"), help="folder with contactd, contactd-ic"
     )
-    parser.add_argument("--output", type=Path, default=Path("contactd-demo.png"), help="where the picture goes (PNG); of profiles, its folder gets four")
+    parser.add_argument("--output", type=Path, default=Path("contactd-demo.png"), help="file of the picture (PNG); profiles writes four into its folder")
     options = parser.parse_args()
     # Stops the daemon however the demo ends.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))

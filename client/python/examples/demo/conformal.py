@@ -104,7 +104,7 @@ def show_throat(client: Client) -> Throat:
         2,
         "A wheel's throat in a gauge corner",
         f"S1002 on 60E1 at 1/40, {FZ / 1000:g} kN, {SHIFT:g} mm to the side, elements of {SIZE:g} mm, mu = 0.3: the rail turns",
-        "by 0.8 rad below the contact. Half-spaces are told by a closed form, sections by finite elements, to 1 %.",
+        "by 0.8 rad below the contact. Half-spaces are in closed form, sections by finite elements to 1 %.",
     )
     solutions, milliseconds = {}, {}
     with ProgressBar() as progress:

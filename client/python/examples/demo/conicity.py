@@ -22,7 +22,7 @@ def show_profiles(client: Client, output: Path) -> list[Check]:
         2,
         "Equivalent conicity",
         "S1002 wheels on 60E1 rails, gauge 1435 mm, flange backs 1360 mm apart, radius 460 mm, roll neglected.",
-        "Integrated over the kinematic motion as EN 15302 has it; in brackets by the harmonic approximation.",
+        "Integrals over the kinematic motion, as in EN 15302. Brackets contain the harmonic approximation.",
     )
     start = time.perf_counter()
     conicities = {

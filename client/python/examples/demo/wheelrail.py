@@ -22,14 +22,14 @@ def show_wheelset(client: Client, output: Path) -> list[Check]:
         "A wheelset across the track",
         "The Manchester contact benchmark, case A-2.2: S1002 wheels on 60E1 rails at 1/40, gauge 1435 mm,",
         f"{FZ / 1000:g} kN a wheel, mu = {MU}, elements of 0.2 x 0.2 mm. The wheelset moves to the right and yaws",
-        "by 2.4 mrad/mm. In brackets what an established program prints; forces are those on the rails.",
+        "by 2.4 mrad/mm. Brackets contain results of an established program. Forces act on the rails.",
     )
     start = time.perf_counter()
     sweep = solved(client)
     seconds = time.perf_counter() - start
     for side, solutions in sweep.items():
         show_wheel(side, solutions)
-    say(f"{2 * len(POSITIONS)} wheels, each at the height that brings its force, in {seconds:.1f} s.")
+    say(f"{2 * len(POSITIONS)} wheels, each at the height of its force, in {seconds:.1f} s.")
     draw_wheelset(output, sweep)
     say(f"The picture: {styled(str(output), 'bold')}")
     return comparison(sweep)

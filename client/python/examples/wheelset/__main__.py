@@ -143,7 +143,7 @@ def _options() -> argparse.Namespace:
     parser.add_argument(
         "--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="critical speeds between these (m/s)"
     )
-    parser.add_argument("--output", type=Path, help="folder of the pictures; default: none are drawn")
+    parser.add_argument("--output", type=Path, help="folder of the pictures; default: no pictures")
     options = parser.parse_args()
     if options.seconds <= 0 or min([*options.speeds, *(options.search or ())], default=30) < 30:
         parser.error("--seconds must be positive, and --speeds at least 30 m/s: slower ones need a smaller step")

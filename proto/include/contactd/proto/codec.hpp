@@ -60,7 +60,7 @@ nlohmann::json encode_problems(std::span<const ContactProblem> problems, ArrayWr
 /// each problem gets its own arrays.
 void check_referred_elements(const nlohmann::json& problems, const MessageLimits& limits = {});
 
-/// A result with its frames, or the reason why there is none.
+/// Holds a result with its frames, or the reason why there is none.
 struct Result {
     std::shared_ptr<const std::string> text;  ///< of the result, as JSON
     Frames frames;

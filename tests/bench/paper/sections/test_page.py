@@ -69,7 +69,7 @@ def written(folder, results):
 def test_the_page_has_all_figures_and_numbers_and_no_surprise(tmp_path):
     reported = written(tmp_path, invented)
     page = (tmp_path / "sections.md").read_text()
-    assert [line for line in reported if "came out otherwise" in line] == []
+    assert [line for line in reported if "contradicts its text" in line] == []
     assert "{{" not in page
     assert "[[" not in page
     for name in PARTS:

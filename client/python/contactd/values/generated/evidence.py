@@ -1,5 +1,5 @@
-"""How a contact problem is solved, and what that is worth: models, settings of the solvers, and evidence of theirs and
-of tables of influence coefficients.
+"""Models and settings of solvers for contact problems, and evidence of the accuracy of solutions and of tables of
+influence coefficients.
 
 Written by ./dev generate from proto/schema: edit it there.
 """

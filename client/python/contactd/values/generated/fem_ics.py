@@ -66,7 +66,7 @@ class FemIcs:
             Default 4.
         f: Growth of the layers outside of the cube, of meshes hex and prism (1 to 10). Default 1.2.
         t1_over_hs: Thickness of the first layer outside the cube over the element size of the cube's mesh, for meshes
-            hex and prism (>= 0); 0 stands for f, the paper's choice. Default 0.
+            hex and prism (>= 0); 0 selects f, the paper's choice. Default 0.
         order: Polynomial order of the displacement (1 to 6). Default 2.
         mesh: Kind of mesh. hex is the paper's Mesh1 and prism its Mesh2. adaptive consists of hexahedra refined where
             an error estimate requires it. Default "hex".
