@@ -24,28 +24,16 @@
 
 double first_fmod(double x, double y);
 __asm__(".symver first_fmod, fmod@" FIRST);
-HERE double fmod(double x, double y) {
-    return first_fmod(x, y);
-}
+HERE double fmod(double x, double y) { return first_fmod(x, y); }
 
 double first_hypot(double x, double y);
 __asm__(".symver first_hypot, hypot@" FIRST);
-HERE double hypot(double x, double y) {
-    return first_hypot(x, y);
-}
+HERE double hypot(double x, double y) { return first_hypot(x, y); }
 
-HERE long __isoc23_strtol(const char* text, char** end, int base) {
-    return strtol(text, end, base);
-}
-HERE unsigned long __isoc23_strtoul(const char* text, char** end, int base) {
-    return strtoul(text, end, base);
-}
-HERE long long __isoc23_strtoll(const char* text, char** end, int base) {
-    return strtoll(text, end, base);
-}
-HERE unsigned long long __isoc23_strtoull(const char* text, char** end, int base) {
-    return strtoull(text, end, base);
-}
+HERE long __isoc23_strtol(const char* text, char** end, int base) { return strtol(text, end, base); }
+HERE unsigned long __isoc23_strtoul(const char* text, char** end, int base) { return strtoul(text, end, base); }
+HERE long long __isoc23_strtoll(const char* text, char** end, int base) { return strtoll(text, end, base); }
+HERE unsigned long long __isoc23_strtoull(const char* text, char** end, int base) { return strtoull(text, end, base); }
 
 HERE int __isoc23_sscanf(const char* text, const char* format, ...) {
     va_list values;
