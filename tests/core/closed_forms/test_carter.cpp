@@ -1,4 +1,4 @@
-// The closed forms of reference.hpp for rolling and for loading histories.
+// Tests the closed forms of reference.hpp for rolling and for loading histories.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -18,13 +18,13 @@ const MaterialPair steel_pair{{82000, 0.28}, {82000, 0.28}};
 const auto line = reference::line_contact(steel_pair, 250, 2000);
 const double full_creepage = mu * line.half_width / 250;  // Johnson (8.27)
 
-// Derivative of the displacement difference along x (plane strain), (1-nu)/(pi G) times the principal value of the
-// integral of q/(x - s), for each body.
+// Returns the derivative of the displacement difference along x (plane strain), (1-nu)/(pi G) times the principal value
+// of the integral of q/(x - s), for each body.
 double stretch(const reference::Carter& carter, double x) {
     const int n = 20000;
     const double h = 4 * line.half_width / n;
     double integral = 0;
-    for (int j = 0; j < n; ++j)  // points left and right of x in pairs
+    for (int j = 0; j < n; ++j)  // sums points left and right of x in pairs
         integral += (reference::carter_traction(line, carter, mu, x - (j + 0.5) * h) -
                      reference::carter_traction(line, carter, mu, x + (j + 0.5) * h)) /
                     (j + 0.5);

@@ -143,7 +143,7 @@ TEST_CASE("Friction that falls has one coefficient in all of the contact, by giv
           "[elements]") {
     const auto [xi, share] =
         GENERATE(std::pair(1e-5, 3.526e-3), std::pair(0.007, 0.7441), std::pair(0.05, 0.7999), std::pair(0.25, 0.4877));
-    // The ellipse of examples/tractcurv, series 4: 6.303 mm along and 12.607 mm across.
+    // Uses the ellipse of examples/tractcurv, series 4: 6.303 mm along and 12.607 mm across.
     ContactProblem problem = rolling_ellipse(Model::fastsim, {6.3034, 12.607}, 1.06e5, {xi, 0, 0}, 48, 44);
     problem.simplified.slope = {0.54, 0.02, 0.62};
     problem.friction = FrictionLaw{{0.36}, KineticFriction{SlipLaw::exponential, 0.1368, 990 / std::log(2)}};
@@ -173,7 +173,7 @@ TEST_CASE("Simplified models have Kalker's forces for small creepages", "[elemen
     motion.xi = motion.eta = 0;
     motion.phi = 1e-11;
     forces = solved(problem).forces;
-    if (model == Model::fastrip) return;  // a strip has no lateral force of spin alone to first order as Kalker has it
+    if (model == Model::fastrip) return;  // spin alone causes no lateral force, to first order
     CHECK_THAT(forces.Fy * std::cos(chi) - forces.Fx * std::sin(chi),
                WithinRel(-1e-11 * area * std::sqrt(axes.a * axes.b) * C.C23, error));
 }
@@ -234,7 +234,7 @@ TEST_CASE("FaStrip of wide contacts without spin is Carter's in each strip", "[e
     ContactProblem problem = rolling_ellipse(Model::fastrip, {1, 30}, 5e4, {}, 401, 41);
     const KalkerCoefficients C = kalker_coefficients(1.0 / 30, steel.nu);
     const double p0 = 1.5 * 5e4 / (pi * 30);
-    const double full = 0.3 * p0 * pi * pi / (2 * steel.G * C.C11);  // where d is half of the strip of a
+    const double full = 0.3 * p0 * pi * pi / (2 * steel.G * C.C11);  // d is half of the strip of a
     motion_of(problem).xi = 0.5 * full;
     const ContactSolution solution = solved(problem);
     const auto row = static_cast<std::size_t>(20) * 401;

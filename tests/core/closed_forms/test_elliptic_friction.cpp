@@ -1,4 +1,4 @@
-// The closed forms of Cattaneo and Mindlin and of Vermeulen and Johnson: checked against the half-space's coefficients.
+// Checks the closed forms of Cattaneo and Mindlin and of Vermeulen and Johnson against the half-space's coefficients.
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -29,7 +29,7 @@ Grid window(int n) {
     return Grid::of_elements(n, n, 3.2 / n, 2.2 / n);
 }
 
-// Displacement difference (x, y) of the two bodies at a point, from the tractions on the grid.
+// Returns the displacement difference (x, y) of the two bodies at a point, from the tractions on the grid.
 std::array<double, 2> displacement(const Grid& grid, const EllipticFriction& friction, double x, double y) {
     std::array<double, 2> u{};
     for (std::size_t i = 0; i < grid.size(); ++i) {
@@ -171,7 +171,7 @@ TEST_CASE("Vermeulen's and Johnson's adhesion area stretches by the creepage", "
     rolling.chi = chi;
     const auto result = vermeulen_johnson(grid, ellipse, mu, rolling);
     REQUIRE(result.adhesion_area > 0.1 * ellipse.area());
-    // Steady: the slip is w minus the derivative of u along the rolling direction.
+    // In the steady state, the slip is w minus the derivative of u along the rolling direction.
     const double direction = std::cos(chi), x = 0.7 * direction, h = 0.2;
     const auto ahead = displacement(grid, result, x + h * direction, 0.05);
     const auto behind = displacement(grid, result, x - h * direction, 0.05);

@@ -41,7 +41,7 @@ Rolling rolling(double xi, double eta, double phi, double chi = 0) {
 }  // namespace
 
 TEST_CASE("FASTSIM comes near the exact theory with spin", "[fastsim]") {
-    // The steady state of the exact theory, continued to the limit from grids of 200 x 200 and 400 x 400 elements.
+    // Lists the steady state of the exact theory, extrapolated from grids of 200 x 200 and 400 x 400 elements.
     const auto result = fastsim(window(contact, 25), contact, mu, rolling(0.002, 0.001, 1e-4));
     CHECK_THAT(result.Fx, WithinRel(-11427, 0.045));
     CHECK_THAT(result.Fy, WithinRel(-6817, 0.015));

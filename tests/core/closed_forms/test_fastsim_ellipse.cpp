@@ -1,4 +1,4 @@
-// FASTSIM follows four slices, or rows of elements, side by side. None may notice the others.
+// FASTSIM integrates four slices, or rows of elements, side by side. They must not affect each other.
 #include "closed_forms/simplified/fastsim_ellipse.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -20,7 +20,7 @@ const Material steel{82000, 0.28};
 const EllipticContact contact{{6, 4}, 50000, steel};
 constexpr double mu = 0.3, bound = mu * 50000;
 
-/// From nearly no slip to far beyond full slip.
+/// Creepages range from nearly no slip to far beyond full slip.
 FastsimCreepages<double> random_creepages(std::mt19937& random) {
     std::uniform_real_distribution<double> exponent(-5, -1), sign(-1, 1);
     const auto one = [&] { return sign(random) * std::pow(10, exponent(random)); };

@@ -1,4 +1,4 @@
-// Model hertz of line contacts, against boundary elements and against central differences.
+// Compares the model hertz of line contacts with boundary elements and with central differences.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -93,8 +93,7 @@ TEST_CASE("model hertz rolls cylinders as Carter does, and sideways the same", "
     const double part = std::max(0.0, 1 - share);
     CHECK_THAT(along ? simplified.forces.Fx : simplified.forces.Fy,
                WithinRel(-mu * P * length * (1 - part * part), 1e-12));
-    CHECK_THAT(*simplified.frictional_power,
-               WithinRel(*full.frictional_power, 0.02));  // of little slip on its elements
+    CHECK_THAT(*simplified.frictional_power, WithinRel(*full.frictional_power, 0.02));  // for elements with little slip
     std::size_t compared = 0;
     for (std::size_t e = 0; e < simplified.pressure.size(); ++e)
         if (full.element_division[e] == simplified.element_division[e] && ++compared)
@@ -119,7 +118,7 @@ TEST_CASE("model hertz shifts cylinders as boundary elements do", "[simplified][
     const auto [simplified, full] =
         both(Shift{{0.72 * share * full_shift * std::cos(angle), share * full_shift * std::sin(angle)}});
     if (angle != 3.0) return check_forces(simplified, full);
-    const double bound = mu * P * length;  // oblique tractions are parallel by the theory only
+    const double bound = mu * P * length;  // only the theory assumes parallel oblique tractions
     CHECK_THAT(simplified.forces.Fx, WithinAbs(full.forces.Fx, 0.02 * bound));
     CHECK_THAT(simplified.forces.Fy, WithinAbs(full.forces.Fy, 0.02 * bound));
 }

@@ -11,7 +11,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Elliptic contact on half-spaces, by the approach or by the force, in part of slip or all of it.
+/// Creates elliptic contacts on half-spaces, with prescribed approach or force, in partial or full slip.
 ContactProblem random_simplified(std::uint64_t seed) {
     Dice dice(seed + 5'000'000);
     ContactProblem problem;

@@ -1,4 +1,4 @@
-// Problems for the contact tests, and dense sums as an independent check of operators and solutions.
+// Provides problems for the contact tests, and dense sums as an independent check of operators and solutions.
 #pragma once
 
 #include <cmath>
@@ -39,7 +39,7 @@ inline IcTable body_table(const Grid& grid, const Material& material, const Ics&
     return half_space_table({ics, material, grid.dx, grid.dy, grid.nx, grid.ny});
 }
 
-/// Returns the table of the problem's bodies at once, as half-spaces whatever it says of their shape.
+/// Returns the table of the problem's bodies, as half-spaces regardless of their shape.
 inline IcTable pair_table(const ContactProblem& problem) {
     const auto table = [&](const Body& body) {
         Ics ics = std::get<Ics>(body.ics);
@@ -86,7 +86,7 @@ inline double largest(const Values& values) {
     return result;
 }
 
-/// The Cattaneo problem of the paper's section 4 on n x n elements.
+/// Creates the Cattaneo problem of the paper's section 4 on n x n elements.
 inline ContactProblem cattaneo_problem(int n) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(n, n, 2.4 / n, 2.4 / n);

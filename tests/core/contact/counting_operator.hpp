@@ -1,4 +1,4 @@
-// How often a solver asks an operator for products.
+// Counts the products that a solver requests from an operator.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ struct ProductCounts {
     int normal = 0, tangential = 0;
 };
 
-/// Passes on products and what else solvers need, without coarser grids and boxes.
+/// Forwards products and other functions, without coarser grids and boxes.
 class CountingOperator final : public InfluenceOperator {
    public:
     CountingOperator(std::shared_ptr<const InfluenceOperator> counted, ProductCounts& counts)

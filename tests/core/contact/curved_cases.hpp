@@ -1,4 +1,4 @@
-// Contacts on strips that are curved along y.
+// Creates contacts on strips that are curved along y.
 #pragma once
 
 #include <catch2/catch_test_macros.hpp>
@@ -11,8 +11,8 @@
 
 namespace contactd::test {
 
-/// Strips of arc length ds on a circle of this radius about `centre`, positive convex, negative hollow, numbered along
-/// the tangent; the middle one's normal has the angle `middle`.
+/// Returns strips of arc length ds on a circle of this radius about `centre`, positive convex, negative hollow,
+/// numbered along the tangent. The normal of the middle strip has the angle `middle`.
 inline std::vector<StripFrame> arc_frames(int strips, double ds, double radius, double middle = 0,
                                           SectionPoint centre = {}) {
     std::vector<StripFrame> frames;
@@ -51,7 +51,7 @@ inline void check_normal_contact(const ContactProblem& problem, const StripTable
     REQUIRE(curved_normal_faults(problem, table, solution, accuracy) == "");
 }
 
-/// Checks elements in contact; `accuracy` is that of slip.
+/// Checks elements in contact; `accuracy` applies to slip.
 inline void check_friction(const ContactProblem& problem, const StripTable& table, const ContactSolution& solution,
                            double accuracy) {
     REQUIRE(curved_friction_faults(problem, table, solution, accuracy) == "");

@@ -1,4 +1,4 @@
-// The equations of contacts on curved strips, checked from outside the solvers with dense sums.
+// Checks the equations of contacts on curved strips independently of the solvers, with dense sums.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace contactd::test {
 
-/// u_i of all three components of tractions, element by element, `ahead` elements ahead of them.
+/// Returns u_i due to all three components of tractions, element by element, `ahead` elements ahead of them.
 inline Values dense_displacement(const StripTable& table, Axis i, const SurfaceState& state, int nx, int ahead = 0) {
     const std::size_t n = state.pressure.size();
     Values u(n);
@@ -27,7 +27,7 @@ inline Values dense_displacement(const StripTable& table, Axis i, const SurfaceS
     return u;
 }
 
-/// Returns the error of a displacement (mm) when coefficients differ by so much from those of the check (mm^3/N).
+/// Returns the error of a displacement (mm) if coefficients differ by this much from those of the check (mm^3/N).
 inline double displacement_left(const ContactSolution& solution, double coefficient) {
     double sum = 0;
     for (std::size_t i = 0; i < solution.pressure.size(); ++i)
@@ -39,8 +39,8 @@ inline SurfaceState state_of(const ContactSolution& solution) {
     return {solution.pressure, solution.traction_x, solution.traction_y};
 }
 
-/// Tells what violates p >= 0, gap >= 0, one of them zero, and the force; empty when nothing does. `left_out`: by how
-/// much products may change a coefficient (mm^3/N).
+/// Returns the violations of p >= 0, gap >= 0, one of them zero, and the force; empty if there are none. `left_out` is
+/// the change of a coefficient that products may have (mm^3/N).
 inline std::string curved_normal_faults(const ContactProblem& problem, const StripTable& table,
                                         const ContactSolution& solution, double accuracy, double left_out = 0) {
     const Grid& grid = problem.grid;
@@ -66,7 +66,7 @@ inline std::string curved_normal_faults(const ContactProblem& problem, const Str
     return {};
 }
 
-/// Slip of the elements (mm): of a shift, or of a step of rolling by whole elements; by the motion of a rigid body.
+/// Returns the slip of the elements (mm) in a shift, or in a rolling step by whole elements, for a rigid motion.
 struct DenseSlip {
     Values x, y, rigid_x, rigid_y;
 };
@@ -84,7 +84,7 @@ inline DenseSlip dense_slip(const ContactProblem& problem, const StripTable& tab
     const SurfaceState now = state_of(solution);
     DenseSlip slip{
         dense_displacement(table, Axis::x, now, grid.nx), dense_displacement(table, Axis::y, now, grid.nx), {}, {}};
-    // The state one step ago: there is none before the first step of a transient.
+    // Returns the state one step ago; before the first step of a transient there is none.
     const SurfaceState& before = rolling && rolling->steady() ? now : problem.previous;
     if (!before.pressure.empty()) {
         const Values bx = dense_displacement(table, Axis::x, before, grid.nx, steps);
@@ -94,7 +94,7 @@ inline DenseSlip dense_slip(const ContactProblem& problem, const StripTable& tab
             slip.y[i] -= by[i];
         }
     }
-    // v + turn a x r, with a the direction of approach, along x and along each strip's tangent.
+    // Returns v + turn a x r, with a the direction of approach, along x and along each strip's tangent.
     const double ay = std::sin(strips.direction), az = std::cos(strips.direction);
     for (int iy = 0; iy < grid.ny; ++iy) {
         const StripFrame& frame = strips.frames[static_cast<std::size_t>(iy)];
@@ -113,12 +113,12 @@ inline DenseSlip dense_slip(const ContactProblem& problem, const StripTable& tab
     return slip;
 }
 
-/// Tells what violates Coulomb's law in contact; empty when nothing does. `accuracy`: of slip, over the largest rigid
-/// slip. `left_out`: by how much products may change a coefficient (mm^3/N).
+/// Returns violations of Coulomb's law in contact; empty if there are none. `accuracy` is the error of slip over the
+/// largest rigid slip. `left_out` is the change of a coefficient that products may have (mm^3/N).
 inline std::string curved_friction_faults(const ContactProblem& problem, const StripTable& table,
                                           const ContactSolution& solution, double accuracy, double left_out = 0) {
     const DenseSlip slip = dense_slip(problem, table, solution);
-    // Twice: slip is what two displacements differ by.
+    // The factor is two, because slip is the difference of two displacements.
     const double unit =
         accuracy * std::max(largest(slip.rigid_x), largest(slip.rigid_y)) + 2 * displacement_left(solution, left_out);
     for (std::size_t i = 0; i < solution.pressure.size(); ++i) {

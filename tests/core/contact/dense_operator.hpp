@@ -1,4 +1,4 @@
-// A body whose coefficients are a matrix: an operator that knows nothing of convolutions, coarser grids or boxes.
+// Represents a body whose coefficients are a matrix, as an operator without convolutions, coarser grids and boxes.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace contactd::test {
 
-/// Square matrices M[i,j], shape [n, n], of displacement i at an element for a traction along j on another.
+/// Holds square matrices M[i,j], shape [n, n], of displacement i at an element for a traction along j on another.
 class DenseMatrices {
    public:
     using Entry = std::function<double(Axis i, Axis j, std::size_t at, std::size_t from)>;
@@ -107,7 +107,7 @@ class DenseStep final : public StepOperator {
     DenseMatrices C_;
 };
 
-/// Entries of tables, by the offset of the elements.
+/// Returns entries of tables, by the offset of the elements.
 template <class Table>
 DenseMatrices::Entry entries_of(const Table& table, const Grid& grid) {
     return [table, nx = grid.nx](Axis i, Axis j, std::size_t at, std::size_t from) {

@@ -1,5 +1,5 @@
-// Operators of two bodies for the contact tests: of half-spaces, or of flat bodies with a cross-section where the
-// program runs with CONTACTD_TEST_BODIES=flat_strips. So every test of contact runs on either kind.
+// Creates operators of two bodies for the contact tests: of half-spaces, or of flat bodies with a cross-section if
+// CONTACTD_TEST_BODIES is flat_strips. Every test of contact thus runs with both kinds.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@ inline bool on_flat_strips() {
     return bodies != nullptr && std::string_view(bodies) == "flat_strips";
 }
 
-/// The operator of a pair's table, as an object whose kind does not concern a test.
+/// Holds the operator of a pair's table, of a kind that the test does not depend on.
 class PairOperator final : public InfluenceOperator {
    public:
     PairOperator(const IcTable& pair, int nx, int ny) : inner_(make(pair, nx, ny)) {}
@@ -62,8 +62,8 @@ class PairOperator final : public InfluenceOperator {
     const std::shared_ptr<const InfluenceOperator> inner_;
 };
 
-/// Makes operators like make_influence. Flat bodies with a cross-section cannot roll along other directions than x, and
-/// of given tables nothing is known but they: these step as half-spaces do.
+/// Creates operators like make_influence. Flat bodies with a cross-section can only roll along x, and given tables do
+/// not define other steps, so these use half-spaces.
 inline ContactInfluence operators_of(const ContactProblem& problem, const IcTable& pair) {
     ContactInfluence influence = make_influence(problem, pair);
     if (!on_flat_strips() || problem.bodies.any_viscoelastic()) return influence;

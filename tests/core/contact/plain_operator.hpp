@@ -1,4 +1,4 @@
-// An operator that counts its products and has nothing to make solves quicker: no coarser grids, no boxes.
+// Counts products of an operator without coarser grids and boxes, which would accelerate solves.
 #pragma once
 
 #include <atomic>
@@ -14,7 +14,7 @@ class PlainOperator final : public InfluenceOperator {
    public:
     explicit PlainOperator(std::shared_ptr<const InfluenceOperator> inner) : inner_(std::move(inner)) {}
 
-    int products() const { return products_; }  ///< uz = A_zz pz, so far
+    int products() const { return products_; }  ///< only uz = A_zz pz so far
 
     std::size_t size() const override { return inner_->size(); }
     void normal(std::span<const double> pz, std::span<double> uz) const override {
@@ -36,7 +36,7 @@ class PlainOperator final : public InfluenceOperator {
     mutable std::atomic<int> products_ = 0;
 };
 
-/// Counts the products that normal contact of half-spaces takes.
+/// Counts the products in normal contact of half-spaces.
 inline int products_of(const ContactProblem& problem) {
     const auto plain = std::make_shared<PlainOperator>(operators_of(problem, pair_table(problem)).current);
     Observer observer;

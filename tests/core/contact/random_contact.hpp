@@ -1,5 +1,5 @@
-// Random contact problems of every kind as a request states them, and all contact conditions checked on the answers
-// from outside: bodies that may differ or be rigid, shifts and rolling, histories, forces, slip laws.
+// Creates random contact problems of every kind, and checks all contact conditions on the answers independently of the
+// solvers: dissimilar and rigid bodies, shifts and rolling, histories, forces, slip laws.
 #pragma once
 
 #include <cstdio>
@@ -20,7 +20,7 @@ inline MaterialPair random_bodies(Dice& dice) {
     return {one, other};
 }
 
-/// Displacements and slip are of this order where most of the contact slips.
+/// Returns the order of displacements and slips if most of the contact slips.
 inline double slip_unit(const ContactProblem& problem, const ContactSolution& normal, double mu) {
     const double compliance = 1 / problem.bodies.upper.material.G + 1 / problem.bodies.lower.material.G;
     return mu * normal.pmax * compliance * std::sqrt(std::max(normal.area.contact, problem.grid.element_area())) * 0.5;
@@ -81,7 +81,7 @@ inline ContactProblem random_contact(std::uint64_t seed, int largest_size) {
     }
     const bool forces = std::visit([](const auto& motion) { return !motion.force.empty(); }, problem.motion);
     if (dice.chance(0.15) && !forces &&
-        mu * normal.pmax > 0)  // falling friction may not carry a force that static friction does
+        mu * normal.pmax > 0)  // falling friction may not carry a force that static friction carries
         friction.kinetic = KineticFriction{dice.chance(0.5) ? SlipLaw::linear : SlipLaw::exponential,
                                            0.9 * mu * dice.uniform(0.5, 1), slip_unit(problem, normal, mu) * 10};
     problem.friction = friction;
@@ -93,12 +93,13 @@ inline ContactProblem random_contact(std::uint64_t seed, int largest_size) {
     return problem;
 }
 
-/// Displacements at points that lie (x, y) from the element centres, by sums over closed forms.
+/// Returns displacements at points (x, y) from the element centres, by sums over closed forms.
 struct Surface {
     Values x, y, z;
 };
 
-/// Coefficients of a body between elements whose offsets have either sign, at points that far from the centres.
+/// Returns coefficients of a body between elements, with offsets of either sign, at points at this distance from the
+/// centres.
 class BodyCoefficients {
    public:
     BodyCoefficients(const Grid& grid, const Body& body, double shift_x, double shift_y)
@@ -113,7 +114,7 @@ class BodyCoefficients {
             layers_ = layered_coefficients(*layers, body.computed()->load_shape, lattice_);
     }
 
-    /// Those of a body that creeps as it rolls are one step ahead where the points are not the centres.
+    /// Coefficients of a viscoelastic body are one step ahead unless the points are the centres.
     BodyCoefficients(const ContactProblem& problem, const Body& body, double shift_x, double shift_y)
         : BodyCoefficients(problem.grid, body, shift_x, shift_y) {
         if (!body.viscoelastic || body.material.is_rigid()) return;
@@ -162,7 +163,7 @@ inline Surface displacements(const ContactProblem& problem, const Values& pz, co
         Values table;
         for (int l = 0; l < my; ++l)
             for (int k = 0; k < mx; ++k) {
-                // The lower body carries the opposite, in a frame that is mirrored for what couples.
+                // The lower body carries the opposite tractions, in a frame that is mirrored for coupled components.
                 const double above = upper.at(i, j, k, l), below = lower.at(i, j, k, l);
                 table.push_back(couples ? below - above : above + below);
             }
@@ -187,8 +188,8 @@ inline Surface displacements(const ContactProblem& problem, const Values& pz, co
     return result;
 }
 
-/// Where a particle in contact came in that has entered during a step longer than an element, and for how much of the
-/// step it has been inside.
+/// Returns the entry position of a particle that has entered during a step longer than an element, and the fraction of
+/// the step that it has spent in contact.
 struct Entry {
     std::size_t from = 0;
     double part = 1;
@@ -209,7 +210,7 @@ inline std::optional<Entry> entry_of(const ContactProblem& problem, const Values
     return {};
 }
 
-/// Slip over the last step per element (mm), without what the present tractions do.
+/// Returns the slip over the last step per element (mm), without the effect of the present tractions.
 inline Surface given_slip(const ContactProblem& problem, const ContactSolution& solution, const SurfaceState& before) {
     const Grid& grid = problem.grid;
     const std::size_t n = grid.size();
@@ -263,7 +264,7 @@ inline Surface given_slip(const ContactProblem& problem, const ContactSolution& 
     return slip;
 }
 
-/// Tells what violates the contact conditions by more than `accuracy`; empty when nothing does. `before` is the state
+/// Returns violations of the contact conditions that exceed `accuracy`; empty if there are none. `before` is the state
 /// at the start of the last step.
 inline std::string contact_faults(const ContactProblem& problem, const ContactSolution& solution,
                                   const SurfaceState& before, double accuracy) {
@@ -307,7 +308,7 @@ inline std::string contact_faults(const ContactProblem& problem, const ContactSo
     return {};
 }
 
-/// The state before the last step of a transient with several, by taking the steps one by one.
+/// Returns the state before the last step of a transient with several steps, by solving them one by one.
 inline SurfaceState state_before_last(const ContactProblem& problem,
                                       ContactSolution (*solve)(const ContactProblem&) = solve_half_spaces) {
     if (!problem.friction) return problem.previous;

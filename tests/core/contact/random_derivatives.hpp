@@ -1,4 +1,4 @@
-// Derivatives of random problems against central differences of their solutions.
+// Compares derivatives of random problems with central differences of their solutions.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace contactd::test {
 
-/// One number each for Fx, Fy, Mz over a length, and the force or approach that is found; and for each input.
+/// Holds one number each for Fx, Fy, Mz over a length, and the computed force or approach; one set for each input.
 using DerivativeRows = std::array<double, 4>;
 inline constexpr int derivative_inputs = 5;
 
@@ -43,7 +43,7 @@ inline DerivativeRows rows_of(const Derivatives& derivatives, int input, double 
             value(derivatives.Fn ? derivatives.Fn : derivatives.approach)};
 }
 
-/// The problem with one input changed.
+/// Returns the problem with one input changed.
 inline ContactProblem moved(ContactProblem problem, int input, double change) {
     if (input == 3) {
         *(problem.Fn ? problem.Fn : problem.approach) += change;
@@ -58,7 +58,7 @@ inline ContactProblem moved(ContactProblem problem, int input, double change) {
     return problem;
 }
 
-/// The size of an input at which it matters, and whether the problem has it.
+/// Returns the size at which an input matters, and whether the problem has it.
 struct InputSizes {
     std::array<double, derivative_inputs> size{};
     double length = 1;  // of the contact (mm)
@@ -80,7 +80,7 @@ inline InputSizes input_sizes(const ContactProblem& problem, const ContactSoluti
     return sizes;
 }
 
-/// For one in five, rigid slip of each element, of the order of that of the motion.
+/// One in five problems has a rigid slip of each element, of the order of that of the motion.
 inline RigidSlip random_rigid_slip(std::uint64_t seed, const ContactProblem& problem) {
     Dice dice(seed + 99'000'000);
     if (!dice.chance(0.2)) return {};
@@ -94,7 +94,7 @@ inline RigidSlip random_rigid_slip(std::uint64_t seed, const ContactProblem& pro
     return slip;
 }
 
-/// The problem of which derivatives are asked, solved nearly to rounding: one step, no slip law, a known motion.
+/// Creates the problem for derivatives, solved nearly to rounding: one step, no slip law, a known motion.
 inline ContactProblem differentiable(std::uint64_t seed, int largest_size) {
     ContactProblem problem = random_contact(seed, largest_size);
     problem.derivatives = true;
@@ -112,17 +112,17 @@ inline ContactProblem differentiable(std::uint64_t seed, int largest_size) {
 }
 
 struct DerivativeCheck {
-    int compared = 0, skipped = 0;  // inputs; skipped where the division does not stand
-    double error = 0;               // the largest, over the largest derivative by the same input
+    int compared = 0, skipped = 0;  // counts inputs; skipped if the element division changes
+    double error = 0;               // largest deviation, over the largest derivative by the same input
     int worst = -1;
 };
 
-/// By central differences; nothing where the division does not stand.
+/// Returns central differences, or nothing if the element division changes.
 inline std::optional<DerivativeRows> differences(const ContactProblem& problem, const ContactSolution& solution,
                                                  int input, const InputSizes& sizes) {
     ContactProblem plain = problem;
     plain.derivatives = false;
-    // Simplified models are exact to rounding, and fastsim's corners lie close to each other.
+    // Simplified models are exact to rounding, and fastsim has many closely spaced kinks.
     const auto parts = problem.model == Model::full ? std::array{1e-4, 1e-5} : std::array{1e-6, 1e-7};
     for (const double part : parts) {
         const double step = part * sizes.size[input];
@@ -139,8 +139,8 @@ inline std::optional<DerivativeRows> differences(const ContactProblem& problem, 
     return {};
 }
 
-/// The approach counts as the force that it takes to move it. By an input that nothing follows much, as by a motion
-/// when all slips, a hundredth of what all follow at most is the measure.
+/// The approach is scaled to the force that moves it. For an input with small effects, such as a motion in full slip,
+/// the scale is a hundredth of the largest effect.
 inline DerivativeCheck check_derivatives(const ContactProblem& problem, const ContactSolution& solution) {
     DerivativeCheck check;
     const InputSizes sizes = input_sizes(problem, solution);
@@ -166,8 +166,8 @@ inline DerivativeCheck check_derivatives(const ContactProblem& problem, const Co
         if (!expected) continue;
         (*expected)[3] *= stiffness;
         const DerivativeRows rows = found(input);
-        // Beside the normal force tangential ones hardly follow the load: they have their own measure then.
-        const double carried = sizes.size[4] * largest_of_all;  // by friction, the sums of which may cancel
+        // Tangential forces depend much less on the load than the normal force, so they have a separate scale.
+        const double carried = sizes.size[4] * largest_of_all;  // derivatives by friction, whose sums may cancel
         double tangential = 0.01 * std::max(largest_tangential, carried) / sizes.size[input];
         for (std::size_t row = 0; row < 3; ++row) tangential = std::max(tangential, std::abs((*expected)[row]));
         const double all = std::max({0.01 * largest_of_all / sizes.size[input], std::abs((*expected)[3]), tangential});

@@ -1,4 +1,4 @@
-// Random shift problems, and Coulomb's law checked on their solutions from outside the solvers.
+// Creates random shift problems, and checks Coulomb's law on their solutions independently of the solvers.
 #pragma once
 
 #include "contact/normal/normal.hpp"
@@ -10,7 +10,7 @@ namespace contactd::test {
 
 struct Motion2d {
     double wx = 0, wy = 0, turn = 0;  // rigid shift (mm), rotation
-    std::optional<double> Fx, Fy;     // in units of the largest force, prescribed instead
+    std::optional<double> Fx, Fy;     // prescribed forces, in units of the largest force
 };
 
 struct RandomFriction {
@@ -109,7 +109,7 @@ inline Motion2d random_motion(Dice& dice, const Grid& grid, double scale) {
     return motion;
 }
 
-// Bounds from a normal contact, or of no pattern.
+// Returns bounds from a normal contact, or without a pattern.
 inline Values random_bound(Dice& dice, const RandomNormal& normal, const Values& pressure) {
     Values bound = pressure;
     const double mu = dice.chance(0.05) ? 0 : dice.uniform(0, 1);
@@ -148,8 +148,8 @@ inline RandomFriction random_friction(std::uint64_t seed, int largest_size) {
     return problem;
 }
 
-/// Tells what violates Coulomb's law by more than `accuracy` of the displacements, or misses the forces; empty when
-/// nothing does.
+/// Returns violations of Coulomb's law by more than `accuracy` of the displacements, and deviations of the forces;
+/// empty if there are none.
 inline std::string friction_faults(const RandomFriction& problem, const FrictionAnswer& answer, double accuracy) {
     const int nx = problem.grid.nx, ny = problem.grid.ny;
     const auto &px = answer.tangential.traction_x, &py = answer.tangential.traction_y;

@@ -1,4 +1,4 @@
-// Random contact problems of bodies of which one or both have layers.
+// Creates random contact problems in which one or both bodies have layers.
 #pragma once
 
 #include "influence/layered/layered_table.hpp"
@@ -6,7 +6,8 @@
 
 namespace contactd::test {
 
-/// From films of a fiftieth of an element to plates of fifty, soft and stiff, often incompressible.
+/// Layers range from films of a fiftieth of an element to plates of fifty elements, soft and stiff, often
+/// incompressible.
 inline Layers random_layers(Dice& dice, double dx) {
     const auto random_nu = [&] { return dice.chance(0.3) ? 0.5 : dice.uniform(0, 0.5); };
     const double G = dice.log_uniform(0.1, 1e5);
@@ -33,8 +34,9 @@ inline ContactSolution solve_layers(const ContactProblem& problem) {
     return solve_contact(problem, layered_influence(problem), observer);
 }
 
-/// One of random_contact whose bodies have layers: beside a half-space, a rigid body, other layers, or the same. Forces
-/// are those of the new bodies under the approach that there was, and creepages as much larger as these yield more.
+/// Returns a problem of random_contact whose bodies have layers, against a half-space, a rigid body, other layers, or
+/// the same ones. Forces are those of the new bodies under the original approach, and creepages increase with the
+/// compliance.
 inline ContactProblem random_layered_contact(std::uint64_t seed, int largest_size) {
     Dice dice(seed + 99'000'000);
     ContactProblem problem = random_contact(seed, largest_size);

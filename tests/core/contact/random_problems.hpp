@@ -1,6 +1,6 @@
-// Random contact problems, and checks of their solutions from outside the solvers: displacements by sums of the
-// check's own, element by element. Numbers come from the generator's raw bits, so that a seed means the same problem
-// everywhere.
+// Creates random contact problems, and checks solutions independently of the solvers, with separate sums of
+// displacements, element by element. Numbers come from the generator's raw bits, so a seed gives the same problem on
+// all systems.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ inline Material random_material(Dice& dice) {
     return {dice.log_uniform(1, 1e5), dice.chance(0.1) ? 0.5 : dice.uniform(0, 0.5)};
 }
 
-/// The undeformed distance, of the order of 1 or less over the grid (mm).
+/// Returns the undeformed distance, of the order of 1 or less over the grid (mm).
 inline Values random_distance(Dice& dice, const Grid& grid) {
     enum { paraboloid, rough, patches, conformal, flat, ridge, kinds };
     const int kind = dice.integer(0, kinds - 1);
@@ -72,7 +72,7 @@ inline Values random_distance(Dice& dice, const Grid& grid) {
     return distance;
 }
 
-/// Normal contact under either control.
+/// Creates normal contacts with prescribed approach or force.
 struct RandomNormal {
     Grid grid;
     Material material;
@@ -95,7 +95,7 @@ inline RandomNormal random_normal(std::uint64_t seed, int largest_size) {
     if (dice.chance(0.5)) {
         problem.approach = *least + depth * range;
     } else {
-        // About what the same depth over the whole grid would take.
+        // Is roughly the force for the same depth over the whole grid.
         double row = 0;
         for (int l = 0; l < problem.grid.ny; ++l)
             for (int k = 0; k < problem.grid.nx; ++k) row += problem.table(Axis::z, Axis::z, k, l);
@@ -105,7 +105,7 @@ inline RandomNormal random_normal(std::uint64_t seed, int largest_size) {
     return problem;
 }
 
-/// Section 4.1's conditions for the pressures and the approach found; returns what is wrong, empty when nothing is.
+/// Returns violations of section 4.1's conditions by the pressures and the computed approach; empty if there are none.
 inline std::string normal_faults(const RandomNormal& problem, const Values& p, double approach, double tolerance) {
     const Values u = dense_product(problem.table, Axis::z, Axis::z, problem.grid.nx, problem.grid.ny, p);
     double defect = 0, reference = 0, sum = 0, deepest = 0;

@@ -1,4 +1,4 @@
-// Rolling problems for tests, and the friction law checked with displacements from dense sums.
+// Creates rolling problems for tests, and checks the friction law with displacements from dense sums.
 #pragma once
 
 #include <catch2/catch_test_macros.hpp>
@@ -11,7 +11,7 @@
 
 namespace contactd::test {
 
-/// Two half-spaces of one material; the bound is mu times a Hertzian ellipse that fills the window.
+/// Creates two half-spaces of one material; the bound is mu times a Hertzian ellipse that fills the window.
 struct RollingCase {
     Grid grid;
     double dq, step_x, step_y;
@@ -71,7 +71,7 @@ struct RollingCase {
         return tangential_forces(grid, solution.traction_x, solution.traction_y);
     }
 
-    /// C[i,x] px + C[i,y] py, element by element.
+    /// Returns C[i,x] px + C[i,y] py, element by element.
     Values dense_increment(Axis i, const Values& px, const Values& py) const {
         Values u(grid.size());
         const int n = static_cast<int>(grid.size());
@@ -99,7 +99,8 @@ inline RollingCounts count(const TangentialSolution& solution) {
     return counts;
 }
 
-/// Coulomb's law in the steady state, element by element. `accuracy`: of slip, relative to the largest rigid slip.
+/// Checks Coulomb's law in the steady state, element by element. `accuracy` is the error of slip over the largest rigid
+/// slip.
 inline void check_steady_law(const RollingCase& rolling, const RollingSolution& solution, double accuracy) {
     using Catch::Matchers::WithinAbs;
     using Catch::Matchers::WithinRel;

@@ -1,4 +1,4 @@
-// TangCG in place of Newton's method: the paper's solver on the same problems, by `settings.tangential.solver`.
+// Tests TangCG, the paper's solver, on problems of Newton's method, by `settings.tangential.solver`.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
@@ -25,7 +25,7 @@ ContactProblem sliding_sphere(const Motion& motion) {
     return problem;
 }
 
-/// Solves by both and compares; returns what TangCG has found.
+/// Solves by both and compares; returns the result of TangCG.
 ContactSolution same_by_both(ContactProblem problem) {
     const ContactSolution newton = solve_half_spaces(problem);
     problem.settings.tangential_solver = TangentialSolver::tangcg;

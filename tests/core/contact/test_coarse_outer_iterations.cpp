@@ -1,4 +1,4 @@
-// Dissimilar bodies on many elements: outer iterations on the fine grid start from those on the coarser one.
+// Tests dissimilar bodies on many elements: outer iterations on the fine grid start from those on the coarser one.
 #include "contact/outer/coarse_outer_iterations.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -26,7 +26,7 @@ ContactProblem ellipse(int n, const Motion& motion) {
     return problem;
 }
 
-/// Motions and forces that let about half of the contact slip.
+/// These motions and forces cause slip in about half of the contact.
 const Motion rolls = Rolling{.xi = 0.002, .eta = 0.001, .phi = 1e-4};
 const Motion shifts = Shift{.rigid_shift = {0.01, 0.005}};
 const Motion rolls_by_force = Rolling{.phi = 1e-4, .force = {-8000, {}}};

@@ -1,5 +1,5 @@
-// Contact problems at the edges of what can be asked: no friction, or hardly any, in parts of the contact; steps that
-// fail on the way; numbers whose squares leave the range of a double.
+// Tests contact problems at the limits of valid input: no or little friction in parts of the contact, failing steps,
+// and numbers whose squares exceed the range of a double.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -16,7 +16,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-/// The field that the problem is refused for; empty when it is solved.
+/// Returns the field for which the problem is refused; empty if it is solved.
 std::string refused(const ContactProblem& problem) {
     try {
         validate(problem);
@@ -41,7 +41,7 @@ TEST_CASE("a step that fails on the way is not forgotten at the end", "[limits]"
     problem.previous = {marched.pressure, marched.traction_x, marched.traction_y};
     problem.initial.traction_x = marched.traction_x;
     problem.initial.traction_y = marched.traction_y;
-    CHECK(solve_half_spaces(problem).converged());  // the last step alone is easy
+    CHECK(solve_half_spaces(problem).converged());  // only the last step is easy
 }
 
 TEST_CASE("elements without friction slip as far as their neighbours and the motion take them", "[limits]") {
@@ -84,7 +84,7 @@ TEST_CASE("where nothing rubs the slip is that of the motion", "[limits]") {
 
 TEST_CASE("falling friction that ends at nothing lets go", "[limits]") {
     ContactProblem problem = cattaneo_problem(12);
-    // The whole contact slides a hundred times faster than where friction ends.
+    // The whole contact slides a hundred times faster than the end of friction.
     problem.motion = GENERATE(Motion{Shift{.rigid_shift = {.x = 0.1}}}, Motion{Rolling{.xi = 0.1}});
     problem.friction->kinetic = KineticFriction{GENERATE(SlipLaw::linear, SlipLaw::exponential), 0, 1e-3};
     const auto solution = solve_half_spaces(problem);

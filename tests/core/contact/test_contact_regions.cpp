@@ -1,4 +1,4 @@
-// Regions of a contact that feel each other's pressures in part.
+// Tests regions of a contact that partly interact by their pressures.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -20,7 +20,7 @@ namespace {
 const RegionLimits left{{-5, 0}, {-3, 3}}, right{{0, 5}, {-3, 3}};
 const Extent everywhere{-100, 100};
 
-/// Two balls of 100 mm, 2.4 mm apart, on a plane: their contacts nearly touch.
+/// Creates two balls of 100 mm, 2.4 mm apart, on a plane; their contacts nearly touch.
 ContactProblem two_balls(const Material& upper = {82000, 0.28}) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(40, 24, 0.125, 0.125);

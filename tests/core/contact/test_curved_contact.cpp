@@ -1,4 +1,4 @@
-// Contact on strips that are curved along y: what a plane's contact becomes there, and whether the equations hold.
+// Tests contact on strips that are curved along y, against plane contacts and against its equations.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -15,7 +15,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// An ellipse, as an array of distances, that rolls or shifts.
+/// Creates an ellipse, as an array of distances, that rolls or shifts.
 ContactProblem ellipse() {
     ContactProblem problem;
     problem.grid = Grid::of_elements(15, 13, 0.2, 0.25);
@@ -51,7 +51,7 @@ void check_same(const ContactSolution& computed, const ContactSolution& expected
     CHECK_THAT(computed.forces.Mz, WithinAbs(expected.forces.Mz, 1e-6 * expected.forces.Fn));
 }
 
-/// Random strips, bodies, gap, load and motion. Arcs of up to 2.4 rad, convex or hollow.
+/// Creates random strips, bodies, gap, load and motion, with arcs of up to 2.4 rad, convex or hollow.
 ContactProblem random_contact(unsigned seed) {
     std::mt19937 generator(seed);
     const auto between = [&](double low, double high) {
@@ -65,7 +65,7 @@ ContactProblem random_contact(unsigned seed) {
     ContactColumns strips;
     strips.frames = arc_frames(ny, problem.grid.dy, radius, between(-1, 1), {between(-5, 5), between(-5, 5)});
     strips.direction = strips.frames[static_cast<std::size_t>(one_of(ny))].angle;
-    for (const StripFrame& frame : strips.frames)  // not so far aside that one does not face it
+    for (const StripFrame& frame : strips.frames)  // stays close enough that a strip faces it
         strips.direction = std::clamp(strips.direction, frame.angle - 1.5, frame.angle + 1.5);
     strips.origin = {between(-5, 5), between(-5, 5)};
     problem.columns = strips;
@@ -189,7 +189,7 @@ TEST_CASE("pressures on a cylinder have no moment about its axis", "[contact][cu
     const Resultant all = *solve_strips(problem, rotated_pair(problem)).resultant;
     CHECK(std::abs(all.Fy) > 1);
     CHECK_THAT(all.Mx, WithinAbs(0, 1e-10));
-    // About a point that lies 2 to the left and 1 below, it is that of the force.
+    // About a point 2 to the left and 1 below, the moment is that of the force.
     problem.columns->origin = {-1, -3};
     CHECK_THAT(solve_strips(problem, rotated_pair(problem)).resultant->Mx, WithinAbs(2 * all.Fz - 1 * all.Fy, 1e-9));
 }
@@ -212,7 +212,7 @@ TEST_CASE("rotated half-spaces in a groove carry less pressure than plane ones w
     Values gap;
     for (int iy = 0; iy < 41; ++iy)
         for (int ix = 0; ix < 35; ++ix) {
-            // From the groove along its normal to the roller, which touches it at the bottom.
+            // The distance goes from the groove along its normal to the roller, which touches it at the bottom.
             const double angle = problem.columns->frames[static_cast<std::size_t>(iy)].angle, e = groove - roller;
             const double across =
                 groove - e * std::cos(angle) - std::sqrt(roller * roller - std::pow(e * std::sin(angle), 2));

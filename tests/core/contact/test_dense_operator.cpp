@@ -1,5 +1,4 @@
-// The solvers on an operator of another kind: what they need to know of bodies is what InfluenceOperator and
-// StepOperator say, and no more.
+// Tests the solvers on an operator of another kind, because they depend on InfluenceOperator and StepOperator only.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -17,7 +16,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// The operators of the problem, as matrices.
+/// Returns the operators of the problem, as matrices.
 ContactInfluence dense_influence(const ContactProblem& problem) {
     const IcTable pair = pair_table(problem);
     const std::size_t n = problem.grid.size();
@@ -31,15 +30,15 @@ ContactInfluence dense_influence(const ContactProblem& problem) {
     return influence;
 }
 
-/// One body as a matrix and the other as a convolution, added up.
+/// Adds one body as a matrix and the other as a convolution.
 ContactInfluence sum_of_kinds(const ContactProblem& problem) {
-    ContactProblem upper = problem, lower = problem;  // with one body that deforms, seen as the lower one
+    ContactProblem upper = problem, lower = problem;  // with one deformable body, as the lower one
     upper.bodies = {{Material::rigid()}, problem.bodies.upper};
     lower.bodies = {{Material::rigid()}, problem.bodies.lower};
     return sum_of(dense_influence(upper), make_influence(lower, pair_table(lower)));
 }
 
-/// An ellipse of nine by seven elements.
+/// Creates an ellipse of nine by seven elements.
 ContactProblem ellipse() {
     ContactProblem problem;
     problem.grid = Grid::of_elements(11, 9, 0.2, 0.25);
@@ -56,7 +55,7 @@ ContactProblem ellipse() {
 
 TEST_CASE("every solver runs on a dense operator and gives the convolution's answers", "[contact][dense]") {
     const bool dissimilar = GENERATE(false, true);
-    const bool summed = GENERATE(false, true);  // a body of one kind and a body of another
+    const bool summed = GENERATE(false, true);  // two bodies of different kinds
     ContactProblem problem = ellipse();
     std::string name;
     const auto with = [&](const char* what, const Motion& motion) {
@@ -137,7 +136,7 @@ TEST_CASE("derivatives on a dense operator are those on the convolution", "[cont
     CHECK_THAT(*dense.derivatives->approach->Fn, WithinRel(*convolved.derivatives->approach->Fn, 1e-4));
 }
 
-// The elements of a body that is not uniform have self-influences of their own: A_ij s_i s_j is symmetric and positive.
+// The elements of a non-uniform body have different self-influences: A_ij s_i s_j is symmetric and positive.
 TEST_CASE("solvers take operators whose elements are unlike each other", "[contact][dense]") {
     const ContactProblem problem = ellipse();
     const Grid& grid = problem.grid;

@@ -16,7 +16,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Half of the contact slips; the lower body may be another one.
+/// Creates a contact in which half of the elements slip; the lower body may differ.
 ContactProblem ellipse(const Motion& motion, const Material& lower = {82000, 0.28}) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(21, 21, 13.2 / 21, 8.8 / 21);
@@ -119,7 +119,7 @@ TEST_CASE("forces oppose more motion and follow more friction", "[derivatives]")
     CHECK(*by.Fx->xi < 0);
     CHECK(*by.Fy->eta < 0);
     CHECK(*by.Fy->phi < 0);
-    CHECK(*by.Fx->mu < 0);  // more of the force, which is negative
+    CHECK(*by.Fx->mu < 0);  // increases the magnitude of the negative force
     CHECK(*by.Fx->Fn < 0);
     const double unit = std::abs(*by.Fx->xi);
     CHECK_THAT(*by.Fx->eta, WithinAbs(0, 1e-4 * unit));  // by symmetry
@@ -131,7 +131,7 @@ TEST_CASE("forces oppose more motion and follow more friction", "[derivatives]")
 TEST_CASE("a shift that does not slip is an elastic spring", "[derivatives]") {
     ContactProblem problem = ellipse(Shift{{1e-6, 2e-6}, 1e-8});
     problem.friction->mu = {10};
-    problem.grid.x0 += 0.3;  // so that a rotation shifts, too
+    problem.grid.x0 += 0.3;  // so that a rotation causes a shift, too
     const ContactSolution solution = solve_half_spaces(problem);
     REQUIRE(solution.elements.slip == 0);
     const Derivatives& by = *solution.derivatives;
@@ -184,7 +184,7 @@ TEST_CASE("Newton's method on forces converges quadratically with them", "[deriv
     REQUIRE(missing.size() >= 3);
     CHECK(missing.back() < 1e-8);
     CHECK(missing.size() <= 7);
-    // The number of digits doubles, as long as derivatives are known to more of them.
+    // The number of correct digits doubles as long as derivatives have more digits.
     for (std::size_t i = 1; i + 1 < missing.size(); ++i) {
         if (missing[i] < 0.1) CHECK(missing[i + 1] < std::max(5 * missing[i] * missing[i], 1e-4 * missing[i]));
     }

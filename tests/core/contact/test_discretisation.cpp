@@ -1,4 +1,4 @@
-// The errors by elements and steps that are too large, and that a solution states them.
+// Tests the error estimates in solutions for elements and steps that are too large.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -21,7 +21,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 const Material steel{82000, 0.28};
 
-/// n x n elements over 1.1 times the box of the ellipse.
+/// Uses n x n elements over 1.1 times the box of the ellipse.
 ContactProblem rolling_ellipse(double a, double b, int n, const Rolling& rolling) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(n, n, 2.2 * a / n, 2.2 * b / n);
@@ -33,7 +33,7 @@ ContactProblem rolling_ellipse(double a, double b, int n, const Rolling& rolling
     return problem;
 }
 
-/// The sphere of the Cattaneo problem, its contact of radius 1 mm on elements of this size.
+/// Creates the sphere of the Cattaneo problem, with a contact of radius 1 mm on elements of this size.
 ContactProblem sphere(int n, double element) {
     ContactProblem problem = cattaneo_problem(n);
     problem.friction.reset();
@@ -95,7 +95,7 @@ TEST_CASE("a step far above the elements or the contact is warned of", "[discret
     CHECK(says(rolled(22, 20), "friction.rolling.dq is 20 mm"));
     CHECK(rolled(44, 2.9 * 8.8 / 44, pi / 2).warnings.empty());
     CHECK(says(rolled(44, 3 * 8.8 / 44, pi / 2), "3 elements"));
-    const auto coarse = rolled(10, 0);  // of one element, which is a tenth of the contact
+    const auto coarse = rolled(10, 0);  // the error of one element, which is a tenth of the contact
     CHECK_FALSE(says(coarse, "friction.rolling.dq"));
 }
 
@@ -114,7 +114,7 @@ TEST_CASE("the estimated error of rolling is that of small creepages", "[discret
     const double error = relative_difference(Fx, limit);
     CAPTURE(n, steps, error, estimate);
     CHECK(error < 1.3 * estimate);
-    if (steps > 1) CHECK(error > 0.25 * estimate);  // that of the elements alone may vanish by accident
+    if (steps > 1) CHECK(error > 0.25 * estimate);  // the error of the elements alone may vanish by accident
 }
 
 TEST_CASE("errors of a paraboloid on half-spaces are those against Hertz", "[discretisation]") {
@@ -131,7 +131,7 @@ TEST_CASE("errors of a paraboloid on half-spaces are those against Hertz", "[dis
     CHECK_FALSE(solution.evidence.discretisation->rolling_error);
 
     problem.approach.reset();
-    problem.Fn = exact.Fn;  // the approach errs now: by 2/3 of what the force would
+    problem.Fn = exact.Fn;  // the approach now has the error, 2/3 of that of the force
     const auto under_force = solve_half_spaces(problem);
     const double sinks_in = std::pow(under_force.approach / 0.02, 1.5);
     CHECK_THAT(under_force.evidence.discretisation->force_error, WithinAbs(std::abs(1 / sinks_in - 1), 1e-9));
@@ -197,7 +197,7 @@ TEST_CASE("a contact of fewer than eight elements across is warned of", "[discre
     CHECK(coarse.evidence.discretisation->elements_across == 7);
     REQUIRE(coarse.warnings.size() == 1);
     CHECK(says(coarse, "7 elements across, fewer than 8"));
-    ContactProblem four = sphere(40, 2.4);  // 40 x 40 elements of 2.4 mm, where 2.4 mm for all of them were meant
+    ContactProblem four = sphere(40, 2.4);  // Uses 40 x 40 elements of 2.4 mm, where 2.4 mm is the whole width.
     four.approach.reset();
     four.Fn = 9.2;
     const auto under_force = solve_half_spaces(four);

@@ -1,4 +1,4 @@
-// Displacements of the surfaces, and the energy that tractions have stored.
+// Tests displacements of the surfaces, and the elastic energy stored by tractions.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 
@@ -25,7 +25,7 @@ TEST_CASE("Under pressure bodies yield by what the approach leaves no room for",
         else
             CHECK(room > -1e-5 * solution.approach);
     }
-    // Fn grows as the power 3/2 of the approach, so that its work is 2/5 of both (Johnson, section 4.2).
+    // Fn is proportional to the power 3/2 of the approach, so its work is 2/5 of their product (Johnson, section 4.2).
     CHECK_THAT(*solution.elastic_energy, WithinRel(0.4 * solution.forces.Fn * solution.approach, 1e-2));
 }
 

@@ -1,4 +1,4 @@
-// Bodies of different materials, one of them rigid in the limit: normal and tangential contact influence each other.
+// Tests bodies of different materials, including rigid ones, in which normal and tangential contact interact.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -14,7 +14,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// A sphere pressed on a plane and held against shifting.
+/// Creates a sphere that is pressed on a plane and held against shifting.
 ContactProblem sphere(const MaterialPair& bodies, double mu, int n = 24) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(n, n, 2.4 / n, 2.4 / n);
@@ -26,7 +26,7 @@ ContactProblem sphere(const MaterialPair& bodies, double mu, int n = 24) {
     return problem;
 }
 
-/// All three components of what the tractions do, in one dense sum.
+/// Returns all three components of the displacements due to tractions, by one dense sum.
 struct Displacements {
     Values x, y, z;
 };
@@ -42,7 +42,7 @@ Displacements displacements(const ContactProblem& problem, const ContactSolution
     return {along(Axis::x), along(Axis::y), along(Axis::z)};
 }
 
-/// A rigid cylinder of radius 1 on a plane: the gap is far larger outside of its face.
+/// Creates a rigid cylinder of radius 1 on a plane; the gap is far larger outside its face.
 ContactProblem punch(const Material& plane, double mu) {
     ContactProblem problem = sphere({Material::rigid(), plane}, mu, 40);
     Values gap(problem.grid.size(), 1.0);
@@ -103,7 +103,7 @@ TEST_CASE("without friction's force, friction between dissimilar bodies is as no
 }
 
 // Mossakovskii and Spence (Johnson, Contact Mechanics, section 3.7): a flat circular punch that adheres completely
-// carries (1-nu) ln(3-4nu)/(1-2nu) times the force of one without friction.
+// carries a force of (1-nu) ln(3-4nu)/(1-2nu) times that without friction.
 TEST_CASE("a rigid punch that adheres carries the force of Mossakovskii's solution", "[dissimilar]") {
     const double nu = GENERATE(0.0, 0.3);
     ContactProblem bonded = punch({200, nu}, 20);
@@ -143,7 +143,7 @@ TEST_CASE("dissimilar bodies roll steadily", "[dissimilar]") {
     CHECK(*solution.frictional_power > 0);
 }
 
-// Solved to the end in every outer iteration, the normal problem would take as many of its own as in the first.
+// If each outer iteration solved the normal problem completely, it would take as many iterations as in the first one.
 TEST_CASE("outer iterations are not solved better than the next one changes them", "[dissimilar]") {
     ContactProblem problem = sphere(rigid_on_soft, 0.3);
     problem.approach.reset();
@@ -178,7 +178,7 @@ TEST_CASE("outer iterations that begin at one of two contact locations find the 
     for (std::size_t i = 0; i < both.size(); ++i) both[i] = std::min(both[i], right[i]);
     problem.gap = both;
     ContactSolution expected = solve_half_spaces(problem);
-    if (GENERATE(false, true)) {  // a force that one place alone does not carry
+    if (GENERATE(false, true)) {  // a force that one of the regions alone cannot carry
         Shift motion;
         motion.force.Fx = -0.75 * 0.4 * expected.forces.Fn;
         problem.motion = motion;

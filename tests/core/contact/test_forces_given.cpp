@@ -1,4 +1,4 @@
-// Motions found from forces, by solves of whole problems: what they cost, and that they are those that the forces need.
+// Tests motions computed from forces: their cost, and whether they produce the forces, by solves of whole problems.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -81,7 +81,7 @@ TEST_CASE("forces of any size give back what the motion that they need gives", "
     CHECK_THAT(by_forces.forces.Fx, WithinAbs(Fx, 2e-6 * mu * Fn));
     CHECK_THAT(by_forces.forces.Fy, WithinAbs(Fy, 2e-6 * mu * Fn));
     const auto* rolling = std::get_if<Rolling>(&motion);
-    if (rolling != nullptr && !rolling->steady()) return;  // its steps have a motion each
+    if (rolling != nullptr && !rolling->steady()) return;  // has a separate motion for each step
     problem.motion = without_forces(*by_forces.motion);
     const ContactSolution by_motion = solve_half_spaces(problem);
     REQUIRE(by_motion.converged());
@@ -110,7 +110,7 @@ TEST_CASE("a component without a force keeps its motion, and the other one is fo
     CHECK(contact_faults(problem, solution, {}, 1e-4) == "");
 }
 
-// A search around whole solves takes four of them and more.
+// A search around whole solves takes at least four of them.
 TEST_CASE("forces cost less than two solves of the motion that they need", "[force]") {
     ContactProblem problem = pressed(30);
     problem.motion =

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double mu_s = 0.5, mu_k = 0.2, v_c = 40;
 
-// An element that slips at a velocity which falls with its bound.
+// Represents an element whose slip velocity decreases with its bound.
 struct Slider {
     double drive, stiffness;
     void operator()(std::span<const double> bound, std::span<double> slip_velocity) const {
@@ -24,7 +24,7 @@ struct Slider {
     }
 };
 
-/// Iterates between solving and following, as boundary elements do; `solve` writes slip velocities for bounds.
+/// Alternates between solving and updating, like boundary elements; `solve` writes slip velocities for bounds.
 template <class Solve>
 SolverEvidence iterate(SlipLawIteration& law, const Values& pressure, const SolverSettings& settings,
                        const Solve& solve) {
@@ -106,7 +106,7 @@ TEST_CASE("equal coefficients need one solve", "[friction_law]") {
 }
 
 TEST_CASE("friction without a steady answer says so", "[friction_law]") {
-    // Slips with much friction, sticks with little: no coefficient agrees with its slip.
+    // It slips with high friction and sticks with low friction, so no coefficient is consistent with its slip.
     const auto contrary = [](std::span<const double> bound, std::span<double> slip_velocity) {
         for (std::size_t i = 0; i < bound.size(); ++i) slip_velocity[i] = bound[i] >= 0.35 ? 1e3 : 0;
     };

@@ -1,4 +1,4 @@
-// Newton's method on the friction law, and what it keeps from solve to solve.
+// Tests Newton's method on the friction law, and the data that it keeps between solves.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -64,7 +64,7 @@ TEST_CASE("Newton's method gives the tractions of conjugate gradients to shifts"
     }
 }
 
-// Where the steps made so far are enough, the last tractions and their slip are combinations that took no product.
+// If earlier steps suffice, the last tractions and their slip are combinations that need no product.
 TEST_CASE("the slip that a solve ends with is that of its tractions to the tolerance", "[newton]") {
     const SmallRolling problem;
     const bool rolls = GENERATE(true, false);

@@ -1,5 +1,4 @@
-// Heat of contacts that are solved: surfaces with speeds of their own, layers that shear and flow, friction with
-// memory.
+// Tests heat of solved contacts: surfaces with their own speeds, layers that shear and flow, friction with memory.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,7 +33,7 @@ double total_heat(const ContactSolution& solution) {
     return solution.temperature->heat_upper + solution.temperature->heat_lower;
 }
 
-/// A row of Hertz's pressure over 2 a, of which each element slips by `xi` and is hot at once.
+/// Creates a row of Hertz's pressure over 2 a, in which each element slips by `xi` and is immediately hot.
 struct HotRow {
     ContactProblem problem;
     Values pressure;
@@ -50,7 +49,7 @@ struct HotRow {
         for (int ix = 0; ix < n; ++ix) pressure.push_back(1000 * std::sqrt(1 - std::pow(problem.grid.x(ix) / a, 2)));
     }
 
-    /// The traction over the normal force of Hertz's strip.
+    /// Returns the traction over the normal force of Hertz's strip.
     double mean(double slip) const {
         TemperatureLaw law(problem);
         const MotionOfElements motion{Values(pressure.size(), slip * 1e4), {}, {slip}};
@@ -127,7 +126,7 @@ TEST_CASE("Friction follows the heat of a layer that flows", "[temperature][cont
 
 TEST_CASE("A coefficient with memory follows its temperature over a distance of slip", "[temperature]") {
     constexpr double xi = 0.02, k = 1.5;
-    // The closed form .15 + .25 exp(-k) 2 I1(k)/k is .223013129; by implicit Euler on n elements:
+    // The closed form .15 + .25 exp(-k) 2 I1(k)/k is .223013129; implicit Euler on n elements gives:
     const auto [n, right] = GENERATE(std::pair(20, 0.223815892), std::pair(40, 0.223295307), std::pair(80, 0.223108833),
                                      std::pair(160, 0.223044234));
     const HotRow row(n, xi, {xi * 5 / k, 0});

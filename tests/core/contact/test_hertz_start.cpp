@@ -1,4 +1,4 @@
-// Where normal contact starts when nothing is known of its pressures.
+// Tests the start of normal contact without an estimate of its pressures.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// An ellipse of 6 x 4 mm in a window 1.1 times its box, 50 kN.
+/// Creates an ellipse of 6 x 4 mm in a window 1.1 times its box, under 50 kN.
 ContactProblem ellipse(int n) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(n, n, 13.2 / n, 8.8 / n);
@@ -28,7 +28,7 @@ ContactProblem ellipse(int n) {
     return problem;
 }
 
-/// Gives the gap as an array, which tells nothing of Hertz.
+/// Gives the gap as an array, from which Hertz's parameters are unknown.
 ContactProblem with_array(ContactProblem problem) {
     problem.gap = undeformed_distance(problem);
     return problem;

@@ -1,4 +1,4 @@
-// The part of rolling's preconditioner that divides by A, of all elements and of those near adhesion.
+// Tests the part of rolling's preconditioner that divides by A, for all elements and for those near adhesion.
 #include "contact/rolling/influence_division.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -12,7 +12,7 @@ using namespace contactd::test;
 
 namespace {
 
-/// An ellipse that adheres in its right part, from column `first` on.
+/// Creates an ellipse that adheres in its right part, from column `first` on.
 struct Example {
     RollingCase rolling{Grid::of_elements(64, 48, 2.0 / 64, 1.4 / 48), {1000, 0.28}, 3, 0, 2.0 / 64};
     Contact contact{rolling.bound, Values(rolling.bound.size()), Values(rolling.bound.size())};

@@ -11,7 +11,7 @@ namespace {
 using Vector = KrylovSpace::Vector;
 using Matrix = KrylovSpace::Matrix;
 
-/// A matrix, symmetric or not, its diagonal as a poor preconditioner, and all unknowns as what is outputs.
+/// Provides a matrix, symmetric or not, with its diagonal as a poor preconditioner, and all unknowns as outputs.
 struct Example {
     Matrix matrix;
     bool symmetric;

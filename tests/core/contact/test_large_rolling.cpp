@@ -1,4 +1,4 @@
-// Steady rolling on contacts of many elements, which the preconditioner of slip makes quick.
+// Tests steady rolling on contacts of many elements, which the preconditioner of slip accelerates.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -17,7 +17,7 @@ namespace {
 
 const Material steel{82000, 0.28};
 
-/// Semi-axes 6 x 4 mm, about 1000 N/mm^2, mu 0.3, on n x n elements.
+/// Uses semi-axes of 6 x 4 mm, about 1000 N/mm^2, mu 0.3, on n x n elements.
 RollingCase ellipse(int n) {
     return {Grid::of_elements(n, n, 12.0 / n, 8.0 / n), steel, 300, 0, 12.0 / n};
 }
@@ -35,7 +35,7 @@ Iterations iterations(RollingCase& rolling) {
     return {cold.evidence.iterations, warm.evidence.iterations};
 }
 
-/// A step that has nothing to make solves quicker.
+/// Represents a step operator without functions that accelerate solves.
 class PlainStep final : public StepOperator {
    public:
     explicit PlainStep(const StepOperator& inner) : inner_(inner) {}

@@ -1,4 +1,4 @@
-// Layers under elements that are wide beside them: what it costs, that a solution says so, and where it is refused.
+// Tests layers under relatively wide elements: errors, warnings and refusals.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -17,7 +17,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-/// A rigid sphere that would touch about `across` elements on a layer of thickness 1, divided `finer` times.
+/// Creates a rigid sphere that would touch about `across` elements on a layer of thickness 1, divided `finer` times.
 ContactProblem sphere(const Layers& body, double element, int across, int finer = 1) {
     ContactProblem problem;
     const int n = 2 * across * finer;
@@ -93,7 +93,7 @@ TEST_CASE("elements under which nothing is left of a layer are refused", "[layer
     ContactProblem problem = sphere(film(0.5), element, 12);
     SECTION("before the solve") {}
     SECTION("longer along y than along x") {
-        if (element < 50) return;  // the contact still feels the layer along x
+        if (element < 50) return;  // the layer still affects the contact along x
         problem.grid.dx /= 4;
     }
     SECTION("hat functions") {
@@ -110,7 +110,7 @@ TEST_CASE("elements under which nothing is left of a layer are refused", "[layer
         message = error.what();
     }
     CHECK_THAT(message, ContainsSubstring(" times the thickness of the thinnest layer"));
-    // It says what would be right.
+    // The message suggests the correct size.
     const std::string before = "Use elements of at most ";
     const double advised = std::stod(message.substr(message.find(before) + before.size()));
     CAPTURE(message);

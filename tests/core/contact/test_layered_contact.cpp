@@ -1,4 +1,4 @@
-// Contact of bodies of layers: what it tends to, and that random problems meet all contact conditions.
+// Tests contact of layered bodies: limits, and contact conditions of random problems.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -71,7 +71,7 @@ TEST_CASE("layers of one material are in contact as the half-space is") {
     CHECK(largest_difference(found.traction_y, expected.traction_y) < 1e-4 * expected.pmax);
 }
 
-// Hertz's line contact: a^2 = 4 F R/(pi E*), pmax = 2 F/(pi a) for the force F a length, with E* = G/(1 - nu).
+// Hertz's line contact: a^2 = 4 F R/(pi E*), pmax = 2 F/(pi a) for the force F per length, with E* = G/(1 - nu).
 TEST_CASE("a row of long elements on layers is a line contact, and its ends are no border") {
     constexpr double radius = 100, force = 500;
     ContactProblem problem;
@@ -87,7 +87,7 @@ TEST_CASE("a row of long elements on layers is a line contact, and its ends are 
     CHECK(solution.elements.border == 0);
     CHECK(solution.warnings.empty());
 
-    problem.grid.dy = 4;  // hardly longer than the contact: its ends do matter
+    problem.grid.dy = 4;  // hardly longer than the contact, so its ends matter
     problem.Fn = force * problem.grid.dy;
     CHECK(solve_layers(problem).elements.border > 0);
 }
@@ -158,7 +158,7 @@ TEST_CASE("a thin incompressible layer tends to one that only shears, as fast as
 }
 
 TEST_CASE("a thin incompressible layer holds the contact that its stiffness asks for") {
-    // Beneath a wide contact it hardly yields; the equations are nearly singular there.
+    // Beneath a wide contact it hardly yields, and the equations are nearly singular.
     const double thickness = GENERATE(0.3, 0.1, 0.02);
     const Layers layer{{{thickness, 1, 0.5}}, Material::rigid()};
     const ContactProblem problem = ball(40, 3, {Material::rigid()}, Body::of(layer));

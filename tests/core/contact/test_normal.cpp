@@ -36,7 +36,7 @@ struct Case {
     }
 };
 
-// Section 4.1's conditions, with displacements from dense sums.
+// Checks section 4.1's conditions, with displacements from dense sums.
 int check_contact_conditions(const Case& problem, const Values& h, const NormalSolution& solution) {
     REQUIRE(solution.evidence.converged);
     const auto& p = solution.pressure;

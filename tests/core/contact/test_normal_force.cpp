@@ -1,4 +1,4 @@
-// Normal contact with the force prescribed, and on boxes within the potential contact area.
+// Tests normal contact with prescribed force, and on boxes within the potential contact area.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -1,4 +1,4 @@
-// Normal contact for one gap after another.
+// Tests normal contact for one gap after another.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -21,13 +21,13 @@ namespace {
 
 const SolverSettings exact{1e-10, 200};
 
-// A sphere on a grid that is wider than its contact; boxes around that save products.
+// Creates a sphere on a grid that is wider than its contact, so that boxes save products.
 struct Sphere {
     Grid grid = Grid::of_elements(48, 40, 0.1, 0.1);
     PairOperator influence{half_space_pair(grid, {82000, 0.28}), grid.nx, grid.ny};
     Values distance = sampled(Paraboloid{300, 300}, grid);
 
-    // The distance less the approach, with a wave of that height, as tractions of the other body make it.
+    // Returns the distance less the approach, with a wave of this height, as caused by tractions of the other body.
     Values gap(double approach, double wave = 0) const {
         Values gap = distance;
         for (int iy = 0; iy < grid.ny; ++iy)
@@ -61,7 +61,7 @@ TEST_CASE("a gap near the last one is solved from its solution, with fewer produ
     };
     Values gap = sphere.gap(0.01);
     NormalSolution last = solver.solve(task(gap), {}, {}, observer);
-    for (const double wave : {1e-4, 1e-4, 1e-4, 1.1e-4, 1.11e-4}) {  // the same again changes by rounding only
+    for (const double wave : {1e-4, 1e-4, 1e-4, 1.1e-4, 1.11e-4}) {  // repeating it causes changes by rounding only
         gap = sphere.gap(0.01, wave);
         int before = plain->products();
         const NormalSolution again = solver.solve_again(task(gap), last.pressure, observer);
@@ -80,7 +80,7 @@ TEST_CASE("a gap far from the last one is solved, too", "[normal]") {
     NormalSolver solver(sphere.influence);
     const Values shallow = sphere.gap(1e-3), deep = sphere.gap(0.012), open = sphere.gap(-1e-3);
     NormalSolution last = solver.solve({shallow, {}, exact}, {}, {}, observer);
-    for (const Values* gap : {&deep, &shallow, &open, &deep}) {  // beyond the box of the first; no contact at all
+    for (const Values* gap : {&deep, &shallow, &open, &deep}) {  // one case beyond the first box, one without contact
         const NormalSolution again = solver.solve_again({*gap, {}, exact}, last.pressure, observer);
         check_same(again, NormalSolver(sphere.influence).solve({*gap, {}, exact}, {}, {}, observer));
         last = again;

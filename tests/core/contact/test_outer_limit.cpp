@@ -1,4 +1,4 @@
-// Outer iterations that reach their limit: the last one meets the tolerances and the forces that were asked for.
+// Tests outer iterations that reach their limit: the last one meets the tolerances and the prescribed forces.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -28,12 +28,12 @@ ContactProblem ball(const Body& upper, const Body& lower, int n = 20) {
     return problem;
 }
 
-/// Steel on a soft body, of which friction changes the pressures.
+/// Creates steel on a soft body, in which friction changes the pressures.
 ContactProblem dissimilar(int n = 20) {
     return ball({Material{82000, 0.28}}, {Material{200, 0.1}}, n);
 }
 
-/// A force along x, and creepage across it.
+/// Prescribes a force along x, and creepage across it.
 Motion hauled(int which) {
     Rolling rolling{.eta = 1e-3, .force = {-0.5 * mu * normal_force, {}}};
     rolling.velocity = 1000;
@@ -61,8 +61,8 @@ void check_last_iteration(const ContactProblem& problem, const ContactSolution& 
     CHECK_THAT(solution.forces.Fx, WithinAbs(*force.Fx, 1e-5 * mu * normal_force));
 }
 
-/// A cylinder of 120 elements between plates of 26 and 79 GPa; a reference program's creep force is -151.4 N after one
-/// iteration and -149.7 N after all, the force of the other case a share of the bound.
+/// Creates a cylinder of 120 elements between plates of 26 and 79 GPa. A reference program's creep force is -151.4 N
+/// after one iteration and -149.7 N after all. The force of the other case is a share of the bound.
 ContactProblem cylinder(double friction, const Rolling& motion) {
     ContactProblem problem;
     problem.grid = {120, 1, 0.004, 600, -0.24, -300};
@@ -114,7 +114,7 @@ TEST_CASE("the last outer iteration of dissimilar bodies obeys the law of fricti
     allow(problem, GENERATE(1, 2, 3));
     const ContactSolution solution = solve_half_spaces(problem);
     check_last_iteration(problem, solution);
-    // This problem has the pressures of its own solution, even where they would still change.
+    // This problem has the pressures of its own solution, even if they would still change.
     ContactProblem as_they_are = problem;
     as_they_are.Fn.reset();
     as_they_are.approach = solution.approach;

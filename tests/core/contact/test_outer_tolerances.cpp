@@ -52,7 +52,7 @@ TEST_CASE("what is left to change is the rest of the series that changes make", 
     CHECK(tolerances.left() == 1);  // nothing is known yet
     tolerances.follow(0.2);
     CHECK_THAT(tolerances.left(), WithinRel(0.05, 1e-12));  // 0.04 + 0.008 + ...
-    tolerances.follow(0.2 * 0.3);                           // slower by what the iteration before left
+    tolerances.follow(0.2 * 0.3);                           // slower by the residual of the previous iteration
     CHECK_THAT(tolerances.left(), WithinRel(0.06 * 0.25, 1e-12));
     tolerances.follow(0.06 * 1e-3);  // luck
     CHECK_THAT(tolerances.left(), WithinRel(0.06e-3 / 9, 1e-12));
@@ -88,5 +88,5 @@ TEST_CASE("the last outer iteration that is allowed is solved as asked for", "[d
     tolerances.follow(0.05);
     CHECK(tolerances.are_final());
     tolerances.follow(4e-3);
-    CHECK(tolerances.left() == 4e-3);  // no series, of iterations of different tolerances
+    CHECK(tolerances.left() == 4e-3);  // iterations of different tolerances form no series
 }

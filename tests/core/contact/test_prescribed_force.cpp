@@ -15,7 +15,7 @@ namespace {
 
 constexpr double largest_force = 3, scale = 0.01;
 
-// A sphere's force: opposite to the slip, its shape an exponent; and how often it was asked for.
+// Models a sphere's force, opposite to the slip, with an exponent for its shape, and counts its evaluations.
 struct Sphere {
     double exponent = 1.5, centre_x = 0, centre_y = 0;
     int calls = 0;
@@ -46,7 +46,7 @@ PrescribedForces forces(std::optional<double> Fx, std::optional<double> Fy) {
     return prescribed;
 }
 
-// A contact whose bound is a hemisphere.
+// Models a contact whose bound is a hemisphere.
 RandomFriction hemisphere() {
     const Grid grid = Grid::of_elements(20, 18, 0.1, 0.1);
     RandomFriction problem{grid, half_space_pair(grid, {200, 0.3}), {}, {}, {}, {}};
@@ -155,7 +155,7 @@ TEST_CASE("forces give back the shift that caused them", "[force][tangential]") 
     const auto forced = solve(problem);
     REQUIRE(forced.converged());
     CHECK(forced.tangential.element_division == shifted.tangential.element_division);
-    const std::size_t corner = 0;  // of the grid: history-free, so rigid slip less rotation is the shift
+    const std::size_t corner = 0;  // on the grid without history, rigid slip less rotation equals the shift
     CHECK_THAT(forced.rigid_x[corner], WithinAbs(shifted.rigid_x[corner], 1e-7));
     CHECK_THAT(forced.rigid_y[corner], WithinAbs(shifted.rigid_y[corner], 1e-7));
 }

@@ -1,4 +1,4 @@
-// Random shift problems; tests/verification/random_friction.cpp runs as many as one likes.
+// Tests random shift problems; tests/verification/random_friction.cpp runs any number of them.
 #include <catch2/catch_test_macros.hpp>
 
 #include "random_friction.hpp"

@@ -1,4 +1,5 @@
-// Random normal contact under either control; tests/verification/random_normal.cpp runs as many as one likes.
+// Tests random normal contacts with prescribed approach or force; tests/verification/random_normal.cpp runs any number
+// of them.
 #include <catch2/catch_test_macros.hpp>
 
 #include "contact/normal/normal.hpp"

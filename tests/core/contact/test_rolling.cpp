@@ -14,7 +14,7 @@ namespace {
 
 const Material material{1000, 0.28};
 constexpr double pi = std::numbers::pi;
-constexpr double law_accuracy = 2e-5;  // in the largest norm, of a root mean square to 1e-6
+constexpr double law_accuracy = 2e-5;  // in the maximum norm, for a root mean square to 1e-6
 
 Grid window(int nx, int ny, double aspect = 1) {
     return Grid::of_elements(nx, ny, 2.0 / nx, 2.0 * aspect / ny);

@@ -281,7 +281,7 @@ TEST_CASE("friction takes work also where a solver was stopped at tractions of a
     const auto there = solve_half_spaces(problem);
     CHECK(*there.frictional_work > 0);
     problem.previous = {there.pressure, there.traction_x, there.traction_y};
-    problem.initial.traction_x = there.traction_x;  // of the way there, along the slip of the way back
+    problem.initial.traction_x = there.traction_x;  // compares with the way there along the slip of the way back
     problem.initial.traction_y = there.traction_y;
     problem.motion = Shift{.rigid_shift = {.x = -0.00817}};
     problem.settings.tangential.max_iterations = GENERATE(1, 2, 3);
@@ -302,7 +302,7 @@ TEST_CASE("friction that never falls because the velocity was left out is warned
     CHECK(warnings(Rolling{.xi = 4e-3, .velocity = 20000}).empty());
     REQUIRE(warnings(Shift{.rigid_shift = {.x = 0.008}}).size() == 1);
     CHECK(warnings(Shift{.rigid_shift = {.x = 0.008}}).front().find("friction.duration") != std::string::npos);
-    // Friction that falls that steeply in a step may have several answers, which is another warning.
+    // Friction that decreases this steeply in a step may have several solutions, which causes another warning.
     for (const std::string& warning : warnings(Shift{.rigid_shift = {.x = 0.008}, .duration = 1e-5}))
         CHECK(warning.find("hardly falls") == std::string::npos);
     CHECK(warnings(Rolling{}).empty());  // nothing slips
@@ -415,7 +415,7 @@ TEST_CASE("the Cattaneo problem is solved with bilinear tractions", "[contact]")
     REQUIRE(solution.converged());
     CHECK_THAT(solution.forces.Fn, WithinRel(hertz.Fn, 2e-3));
     CHECK_THAT(solution.pmax, WithinRel(hertz.pmax, 5e-3));
-    CHECK_THAT(solution.forces.Fx, WithinRel(-3.2216, 3e-3));  // the limit h -> 0 with constant elements
+    CHECK_THAT(solution.forces.Fx, WithinRel(-3.2216, 3e-3));  // compares with the limit h -> 0 with constant elements
 }
 
 TEST_CASE("rigid slip of the elements adds to that of the motion", "[contact]") {

@@ -1,4 +1,4 @@
-// Where Newton's method on the friction law gets no further.
+// Tests cases in which Newton's method on the friction law makes no further progress.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -15,8 +15,8 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-/// Whose preconditioner of tractions gives nothing at first, and whose elements seem stiff, so that no step leads
-/// anywhere.
+/// Represents an operator whose preconditioner of tractions returns nothing at first, and whose elements seem stiff, so
+/// that no step makes progress.
 class StuckOperator final : public InfluenceOperator {
    public:
     StuckOperator(std::shared_ptr<const InfluenceOperator> inner, int calls) : inner_(std::move(inner)), left_(calls) {}
@@ -61,7 +61,7 @@ TEST_CASE("conjugate gradients or a march go on where Newton's method stands sti
     const ContactInfluence influence = operators_of(problem, pair_table(problem));
     Observer observer;
     const ContactSolution expected = solve_contact(problem, influence, observer);
-    // Newton's method asks so often before it gives up; both halves of the preconditioner of rolling do.
+    // Newton's method makes this number of calls before it gives up, for both halves of the preconditioner of rolling.
     const auto stuck = std::make_shared<StuckOperator>(influence.current, rolls ? 64 : 31);
     const ContactSolution solution = solve_contact(problem, {stuck, influence.increment}, observer);
 

@@ -20,7 +20,7 @@ struct ShiftCase {
     PairOperator influence;
     Values bound, rigid_x, rigid_y;
 
-    // An elliptic bound that fills the window, uniform shift.
+    // Creates an elliptic bound that fills the window, with a uniform shift.
     ShiftCase(const Grid& grid_, double largest_bound, double wx, double wy)
         : grid(grid_),
           table(half_space_pair(grid, material)),
@@ -45,7 +45,7 @@ struct Division {
     int adhesion = 0, slip = 0;
 };
 
-// Coulomb's law element by element, with displacements from dense sums. `accuracy`: of slip and traction.
+// Checks Coulomb's law element by element, with displacements from dense sums. `accuracy` applies to slip and traction.
 Division check_friction_law(const ShiftCase& shift, const TangentialSolution& solution, double accuracy) {
     REQUIRE(solution.evidence.converged);
     const int nx = shift.grid.nx, ny = shift.grid.ny;
@@ -86,7 +86,7 @@ double total(const Values& p) {
     return result;
 }
 
-constexpr double law_accuracy = 1e-4;  // of displacements at tractions to 1e-6
+constexpr double law_accuracy = 1e-4;  // error of displacements for tractions to 1e-6
 
 }  // namespace
 

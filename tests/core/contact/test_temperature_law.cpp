@@ -1,4 +1,4 @@
-// Temperatures of contacts that are solved, and friction by them.
+// Tests temperatures of solved contacts, and temperature-dependent friction.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -18,7 +18,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Makes a body of a thermal effusivity (N/(mm s^0.5 K)).
+/// Creates a body of a thermal effusivity (N/(mm s^0.5 K)).
 ThermalBody body_of(double effusivity, double bulk_temperature = 0) {
     ThermalBody body;
     body.bulk_temperature = bulk_temperature;
@@ -26,7 +26,7 @@ ThermalBody body_of(double effusivity, double bulk_temperature = 0) {
     return body;
 }
 
-/// Mean slip along x in a row, with the weight of the pressure.
+/// Returns the mean slip along x in a row, weighted with the pressure.
 double mean_slip(const Grid& grid, const ContactSolution& solution, int row) {
     double sum = 0, weight = 0;
     for (int ix = 0; ix < grid.nx; ++ix) {
@@ -51,8 +51,8 @@ ContactProblem rolling_problem(const Rolling& rolling, double mu) {
     return problem;
 }
 
-/// Bodies that are as warm with speeds of their own as those of `problem` would be if both surfaces passed at the
-/// rolling velocity, as in the program that the values are from; all slips, the middle row is the warmest.
+/// Creates bodies with their own speeds that become as warm as those of `problem` would if both surfaces passed at the
+/// rolling velocity, as in the reference program. All elements slip, and the middle row is the warmest.
 ContactProblem as_of_one_speed(ContactProblem problem) {
     const ContactSolution solution = solve_half_spaces(problem);
     const double w = mean_slip(problem.grid, solution, problem.grid.ny / 2);
@@ -68,7 +68,7 @@ Rolling rolling_of(double xi, double velocity) {
     return rolling;
 }
 
-/// Falls from 0.35 between 20 and 170 degrees by 0.2.
+/// Creates friction that decreases from 0.35 by 0.2 between 20 and 170 degrees.
 ContactProblem falling_friction() {
     ContactProblem problem = rolling_problem(rolling_of(0.02, 2e4), 0.35);
     problem.friction->temperature = TemperatureFriction{-0.2, 20, 150};
@@ -94,7 +94,7 @@ std::string refused(const ContactProblem& problem) {
     return "nothing";
 }
 
-/// The row in the middle, from behind.
+/// Returns the middle row, from its trailing end.
 double in_middle(const std::vector<double>& values, int ix) {
     return values[at(Grid{21, 17}, ix, 8)];
 }
@@ -130,8 +130,8 @@ TEST_CASE("Bodies that differ in heat and bulk temperature are as warm as is kno
     CHECK_THAT(solution.forces.Fx, WithinRel(-12151.3399, 1e-8));
     CHECK_THAT(solution.forces.Fy, WithinRel(-6859.40603, 1e-8));
     CHECK_THAT(*solution.frictional_power, WithinRel(1775.69092e3, 1e-8));
-    // The values are those of bodies that both pass at the rolling velocity; these pass at their own speeds, in each
-    // row by its slip.
+    // The values are for bodies that both pass at the rolling velocity; these pass at their own speeds, in each row by
+    // its slip.
     const auto by_speeds = [&](int row, double rise, double warmth = 1) {
         const double w = mean_slip(problem.grid, solution, row);
         const double upper = 13.29 * std::sqrt(1 - w / 2), lower = 6.5 * std::sqrt(1 + w / 2);
@@ -240,7 +240,7 @@ TEST_CASE("The own heat of an element has a temperature in each part of the law"
                 const double mu = coefficient_of_own_heat(law, 0.3, T0, rise);
                 CHECK_THAT(friction_coefficient(law, 0.3, T0 + rise * mu), WithinAbs(mu, 1e-12));
             }
-    // Where friction rises and has several solutions the coldest is found.
+    // If friction increases and has several solutions, the coldest is found.
     CHECK(coefficient_of_own_heat({1, 20, 1}, 0.1, 0, 100) == 0.1);
 }
 

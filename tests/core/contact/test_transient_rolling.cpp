@@ -1,4 +1,4 @@
-// Rolling step by step in time, as contact problems.
+// Tests rolling step by step in time, as contact problems.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -14,7 +14,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// A sphere on a plane, about eleven elements across the contact.
+/// Creates a sphere on a plane, about eleven elements across the contact.
 ContactProblem rolling_sphere(const Rolling& rolling) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(14, 12, 2.4 / 14, 2.4 / 12);
@@ -106,7 +106,7 @@ TEST_CASE("the steps of one problem are those of many", "[rolling]") {
         iterations += step.evidence.tangential->iterations;
         problem.previous = {step.pressure, step.traction_x, step.traction_y};
     }
-    CHECK(march.evidence.tangential->iterations < iterations);  // they start where the last two lead to
+    CHECK(march.evidence.tangential->iterations < iterations);  // start from an extrapolation of the last two
     for (std::size_t i = 0; i < step.traction_x.size(); ++i) {
         CHECK_THAT(march.traction_x[i], WithinAbs(step.traction_x[i], 1e-6 * step.pmax));
         CHECK_THAT(march.traction_y[i], WithinAbs(step.traction_y[i], 1e-6 * step.pmax));
@@ -133,7 +133,7 @@ TEST_CASE("particles that enter during a step are known by how far they have com
 }
 
 TEST_CASE("a first step longer than an element has the division that its particles ask for", "[rolling]") {
-    // Printed of this problem by the CONTACT program, which takes such particles so, too: 466 elements adhere.
+    // The CONTACT program printed this result, which treats such particles in the same way: 466 elements adhere.
     ContactProblem problem;
     problem.grid = Grid::of_elements(41, 41, 0.2, 0.2);
     problem.bodies = Bodies::of({{1, 0.28}, {1, 0.28}});

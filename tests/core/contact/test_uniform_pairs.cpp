@@ -1,4 +1,4 @@
-// Longitudinally uniform bodies in contact: beside half-spaces, and where their strips end at an edge of the body.
+// Tests longitudinally uniform bodies in contact, against half-spaces, and with strips that end at an edge of the body.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -25,7 +25,7 @@ Body uniform_body(const Material& material, const Section& section, IcSource sou
     return {material, ics};
 }
 
-/// On strips that end at the edge of a block, whose table is that of half-spaces here.
+/// Uses strips that end at the edge of a block, whose table is that of half-spaces here.
 ContactProblem ball_at_edge(IcSource source, bool mirrored = false) {
     ContactProblem problem;
     problem.grid = {12, 20, 0.25, 0.25, -1.5, -4.5};
@@ -120,7 +120,7 @@ TEST_CASE("A longitudinally uniform body and a half-space have the products of b
     };
     const ContactInfluence both = uniform_above ? influence(problem, BodyTable(strips), BodyTable(flat))
                                                 : influence(problem, BodyTable(flat), BodyTable(strips));
-    // One body after the other, each on a rigid one.
+    // Uses one body after the other, each on a rigid one.
     ContactProblem one = problem, other = problem;
     (uniform_above ? one.bodies.lower : one.bodies.upper) = Body{Material::rigid()};
     (uniform_above ? other.bodies.upper : other.bodies.lower) = Body{Material::rigid()};

@@ -1,4 +1,4 @@
-// Mistakes of units in contact problems that their magnitudes tell.
+// Tests warnings about mistaken units in contact problems, detected by magnitudes.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -18,7 +18,7 @@ bool warns_of(const ContactSolution& solution, const std::string& part) {
                                [&](const std::string& text) { return text.find(part) != std::string::npos; });
 }
 
-/// Steel wheels of radius 460 and 300 mm under 80 kN, which roll.
+/// Creates rolling steel wheels of radius 460 and 300 mm under 80 kN.
 ContactProblem wheels() {
     ContactProblem problem;
     problem.grid = Grid::of_elements(40, 40, 0.6, 0.6);
@@ -50,7 +50,7 @@ TEST_CASE("Friction that falls with the creepage is not said never to fall", "[c
     problem.friction->kinetic = KineticFriction{SlipLaw::exponential, 0.132, 300.0};
     problem.motion = Rolling{.xi = 0.02, .velocity = 20e3};
     CHECK_FALSE(warns_of(solve(problem), "hardly falls"));
-    // 0.02 mm/s where the velocity is left out.
+    // The velocity is 0.02 mm/s if it is omitted.
     problem.motion = Rolling{.xi = 0.02};
     const bool of_elements = problem.model != Model::polach;
     CHECK(warns_of(solve(problem), of_elements ? "hardly falls: the largest slip velocity is"
@@ -86,7 +86,7 @@ TEST_CASE("Creepages of a tenth of a percent's size are warned of at a vehicle's
     CHECK(warns_of(solve(problem), "friction.rolling.xi is 0.2: at 20 m/s the surfaces slide at 4 m/s"));
     problem.motion = Rolling{.xi = 0.002, .eta = -0.1, .velocity = 20e3};
     CHECK(warns_of(solve(problem), "friction.rolling.eta is -0.1"));
-    // A creep curve, a slow test rig, a slip law that such creepages are there for.
+    // Creates a creep curve, a slow test rig, and a slip law for such creepages.
     for (const Rolling& rolling : {Rolling{.xi = 0.02, .velocity = 20e3}, Rolling{.xi = 0.2, .velocity = 1e3}}) {
         problem.motion = rolling;
         CHECK_FALSE(warns_of(solve(problem), "friction.rolling"));
@@ -106,7 +106,7 @@ TEST_CASE("Moduli of steel in Pa, and Young's in place of the shear modulus, are
     CHECK(warned(80e9, "a modulus of steel in Pa"));
     CHECK(warned(210e9, "bodies.lower.G is"));
     CHECK_FALSE(warned(80e3, "bodies."));
-    // In metres, newtons and pascals.
+    // Uses metres, newtons and pascals.
     problem.grid = Grid::of_elements(40, 40, 6e-4, 6e-4);
     problem.gap = Paraboloid{0.46, 0.3};
     problem.motion = Rolling{.xi = 1e-3};

@@ -1,4 +1,5 @@
-// Fatigue of contacts against known values: line, circle and ellipse under Hertz's pressure, in full slip and solved.
+// Tests fatigue of contacts against known values: line, circle and ellipse under Hertz's pressure, in full slip and
+// solved.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -32,7 +33,7 @@ FatigueRequest request_of(double a_DV) {
     return {.body = WornBody::lower, .strength = strength_of(a_DV), .damages = {}, .passage = Passage{}};
 }
 
-/// Hertz's contact of half-axes a and b, which is infinite of a line, in full slip against +x.
+/// Creates Hertz's contact of half-axes a and b (infinite for a line) in full slip against +x.
 ContactFatigue hertz_fatigue(double a, double b, double mu, FatigueRequest request) {
     constexpr int n = 60;
     const bool is_line = std::isinf(b);
@@ -159,7 +160,7 @@ TEST_CASE("The force on a body tells whether the other one drives it") {
         return *solve_half_spaces(problem).fatigue;
     };
     const ContactFatigue upper = fatigue(WornBody::upper, 0), lower = fatigue(WornBody::lower, 0);
-    CHECK(upper.driven);  // slip of the upper body along +x, traction against it
+    CHECK(upper.driven);  // the upper body slips along +x, with the traction against it
     CHECK(!lower.driven);
     CHECK_THAT(std::abs(upper.force_angle), WithinAbs(std::numbers::pi, 1e-6));
     CHECK_THAT(lower.force_angle, WithinAbs(0, 1e-6));

@@ -1,4 +1,4 @@
-// Dang Van's stress of histories that are known, and the smallest ball around points.
+// Tests Dang Van's stress of known histories, and the smallest ball around points.
 #include <array>
 #include <cmath>
 #include <random>

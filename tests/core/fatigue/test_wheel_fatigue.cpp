@@ -1,4 +1,4 @@
-// Fatigue of wheels and rails: the Manchester benchmark, left wheels in the mirror, conformal contacts.
+// Tests fatigue of wheels and rails: the Manchester benchmark, mirrored left wheels, conformal contacts.
 #include <cmath>
 #include <string>
 
@@ -42,7 +42,8 @@ TEST_CASE("Wheels of the Manchester benchmark tire the rail as told for their po
     REQUIRE(solution.patches.size() == 1);
     const ContactFatigue& fatigue = *solution.patches[0].solution.fatigue;
     CAPTURE(known.y, fatigue.T_gamma);
-    // Elements at the border count whole, so that areas of elements of 0.2 mm are 2 % larger than those of 0.05 mm.
+    // Elements at the border are included completely, so areas of elements of 0.2 mm are 2 % larger than those of 0.05
+    // mm.
     CHECK_THAT(*fatigue.FI_surf, WithinAbs(known.FI_surf, 8e-3));
     CHECK_THAT(fatigue.damages.at(0).value, WithinAbs(known.damage, 4e-8));
     CHECK(!fatigue.limit);

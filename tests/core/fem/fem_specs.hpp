@@ -1,4 +1,4 @@
-// Specs of the finite-element tests.
+// Creates specs of the finite-element tests.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 
 namespace contactd {
 
-/// The steel of the paper's section 3 on 10 x 10 elements of 0.8 mm, in a block of size L (mm).
+/// Returns the steel of the paper's section 3 on 10 x 10 elements of 0.8 mm, in a block of size L (mm).
 inline IcSpec paper_spec(const char* preset, double L) {
     IcSpec spec;
     spec.material = {82000, 0.28};
@@ -19,7 +19,7 @@ inline IcSpec paper_spec(const char* preset, double L) {
     return spec;
 }
 
-/// Coarse and quick: a fraction of a second.
+/// Returns a coarse spec that takes a fraction of a second.
 inline IcSpec coarse_spec(int nx, int ny, double dx, double dy) {
     IcSpec spec = paper_spec("paper-test2", 64);
     spec.dx = dx;

@@ -1,4 +1,4 @@
-// MPI lives as long as the test run.
+// Initialises MPI for the duration of the test run.
 #include <catch2/reporters/catch_reporter_event_listener.hpp>
 #include <catch2/reporters/catch_reporter_registrars.hpp>
 #include <optional>

@@ -1,4 +1,4 @@
-// Tables of an accuracy asked for, and families over Poisson's ratio.
+// Tests tables to a requested accuracy, and families over Poisson's ratio.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -32,7 +32,7 @@ IcRecord build(const IcSpec& spec) {
     return fem::build_ic_table(spec, observer);
 }
 
-/// The largest difference in the measures of IcSpec::accuracy.
+/// Returns the largest difference in the measures of IcSpec::accuracy.
 double difference(const IcSpec& spec, const IcTable& table, const IcTable& other) {
     IcEvidence evidence;
     compare_tables(spec, table, other, evidence);
@@ -63,7 +63,7 @@ TEST_CASE("The accuracy asked for is met on a half-space", "[fem][accuracy]") {
     CHECK_FALSE(record.evidence.errors_estimated);
 }
 
-// Slow: tables to a ten-thousandth.
+// This is slow: it builds tables of accuracy 1e-4.
 TEST_CASE("Four digits are reached", "[fem][accuracy][slow]") {
     IcSpec spec = accurate_spec(1e-4, 0.28, 1, 12);
     spec.load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
@@ -75,7 +75,7 @@ TEST_CASE("A larger extent changes the coefficients by less than the accuracy's 
     CHECK(difference(small, cropped(build(large).table(), 8, 8), build(small).table()) < 1e-4);
 }
 
-// Slow: graded finite elements of the whole displacement beside each table.
+// This is slow: it compares each table with graded finite elements of the whole displacement.
 TEST_CASE("The accuracy asked for is met by a block", "[fem][accuracy][slow]") {
     IcSpec spec = accurate_spec(1e-2, GENERATE(0.28, 0.42), 1, 8);
     spec.body = BodyShape::block;
@@ -83,7 +83,7 @@ TEST_CASE("The accuracy asked for is met by a block", "[fem][accuracy][slow]") {
     const IcRecord record = build(spec);
     CHECK(record.evidence.errors_estimated);
 
-    // The general way: finite elements of the whole displacement, graded towards the load.
+    // Uses the general method: finite elements of the whole displacement, graded towards the load.
     IcSpec general = spec;
     general.accuracy = 0;
     general.fem.far_boundary = FarBoundary::clamped;
@@ -99,7 +99,7 @@ TEST_CASE("The accuracy asked for is met by a block", "[fem][accuracy][slow]") {
 // Slow: a table to a thousandth.
 TEST_CASE("The error that a block's table states is no less than its difference to a finer table",
           "[fem][accuracy][slow]") {
-    // Near the clamped edges of a nearly incompressible block, where finite elements have the hardest time.
+    // Uses points near the clamped edges of a nearly incompressible block, where finite elements converge most slowly.
     IcSpec spec = accurate_spec(1e-2, 0.49, 1, 12);
     spec.body = BodyShape::block;
     spec.fem.L_over_h = 13;
@@ -124,7 +124,7 @@ TEST_CASE("A family differs from a direct computation by less than a tenth of th
         CAPTURE(nu);
         CHECK(difference(one, table_for(record, one), build(one).table()) < 1e-3);
     }
-    // Here a table by itself does with a coarser mesh than the family, which has one mesh up to 0.49.
+    // A single table needs only a coarser mesh here than the family, which has one mesh up to 0.49.
     for (const double nu : {0.33, 0.41}) {
         const IcSpec between = accurate_spec(1e-2, nu, 1, 6);
         CHECK(difference(between, table_for(record, between), closed_form(between)) < 5e-3);
@@ -145,7 +145,7 @@ TEST_CASE("A family on a given mesh is interpolated as well as the mesh deserves
     family.any_nu = true;
     const IcRecord record = build(family);
     CHECK(record.evidence.family_nu.size() < 34);
-    // Where quadratic elements lock, and interpolation is hardest.
+    // Quadratic elements lock here, and interpolation is most difficult.
     IcSpec one = family;
     one.any_nu = false;
     one.material.nu = 0.47;

@@ -36,8 +36,8 @@ IcRecord build(const IcSpec& spec) {
     return build_ic_table(spec, observer);
 }
 
-/// Two divisions: one of an element at the load, one of some of its parts and of elements farther out, so that there
-/// are hanging nodes on inner faces, on the surface, on the planes of symmetry and on the far faces.
+/// Divides one element at the load, and then some of its parts and of elements farther out, so that there are hanging
+/// nodes on inner faces, on the surface, on the planes of symmetry and on the far faces.
 RefinedBlock twice_refined(const IcSpec& spec) {
     RefinedBlock block(make_start_mesh(spec));
     block.refine({0});
@@ -105,7 +105,7 @@ TEST_CASE("Hanging nodes keep a linear displacement exactly", "[fem][adaptive]")
     exact -= u;
     CHECK(exact.Normlinf() < 1e-9 * u.Normlinf());
 
-    // No stress jumps, so no error is seen.
+    // Stresses do not jump, so the estimated error is zero.
     const std::vector<double> errors = energy_errors(problem, {{Axis::z, u}});
     CHECK(*std::max_element(errors.begin(), errors.end()) < 1e-8 * std::pow(12, 1.5));
 }
@@ -162,7 +162,7 @@ TEST_CASE("More unknowns give smaller errors, and no more than allowed are used"
         CHECK(evidence.back().dofs <= max_dofs);
         CHECK(evidence.back().dofs > max_dofs / 2);
         CHECK(evidence.back().solver == "amg_pcg");
-        REQUIRE(evidence.back().load_cases.size() == 3);  // the mesh need not be its own mirror image
+        REQUIRE(evidence.back().load_cases.size() == 3);  // the mesh need not be symmetric
         for (const LoadCaseEvidence& load_case : evidence.back().load_cases) CHECK(load_case.residual <= 1e-8);
     }
     for (std::size_t i = 1; i < evidence.size(); ++i) {
@@ -172,7 +172,7 @@ TEST_CASE("More unknowns give smaller errors, and no more than allowed are used"
         CHECK(evidence[i].errors.zz->largest < evidence[i - 1].errors.zz->largest);
         CHECK(evidence[i].errors.xx->largest < evidence[i - 1].errors.xx->largest);
     }
-    // A third of what the coarsest layers around the table would leave (7e-3).
+    // This is a third of the error with the coarsest layers around the table (7e-3).
     CHECK(evidence.back().errors.zz->largest < 2e-3);
     CHECK(evidence.back().errors.xx->largest < 2e-3);
 }

@@ -1,4 +1,4 @@
-// Predictions of the cost of builds against what they took, and what is done where there is too little.
+// Compares predicted costs of builds with measured ones, and tests the behaviour without enough memory.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -17,7 +17,7 @@ namespace {
 struct Measured {
     FemSpec fem;
     long long dofs;
-    double megabytes;  ///< largest resident memory of contactd-ic
+    double megabytes;  ///< measured largest resident memory of contactd-ic
 };
 
 FemSpec mesh(Solver solver, int order, double f, double L_over_h, MeshKind kind = MeshKind::hex) {
@@ -71,7 +71,7 @@ struct MeasuredSection {
     int strips;
     double ds;
     double dofs;
-    double megabytes;  ///< of 10^6 bytes, 0: not measured, largest resident memory of contactd-ic
+    double megabytes;  ///< 10^6 bytes, 0: not measured, largest resident memory of contactd-ic
     double nu = 0.28;
 };
 

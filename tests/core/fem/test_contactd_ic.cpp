@@ -1,4 +1,4 @@
-// The program contactd-ic, run as its users run it.
+// Tests the program contactd-ic in the way users run it.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -43,7 +43,7 @@ int exit_code(int status) {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
-/// A folder of its own; commands run in it, with standard output in out.txt and standard error in err.txt.
+/// Provides a temporary folder; commands run in it, with standard output in out.txt and standard error in err.txt.
 class Folder {
    public:
     Folder() {
@@ -67,7 +67,7 @@ class Folder {
         if (!text.empty()) text.pop_back();
         return text.substr(text.find_last_of('\n') + 1);
     }
-    /// Waits until standard output holds `token`.
+    /// Waits until standard output contains `token`.
     bool wait_for(const char* token) const {
         const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(120);
         while (std::chrono::steady_clock::now() < end) {
@@ -227,7 +227,7 @@ TEST_CASE("What would take far more memory than allowed is not begun", "[contact
     const Folder folder;
     folder.write("spec.json", slow);
     const std::string command = GENERATE(program, launcher(2) + program);
-    // Two processes take 130 MB before they begin, and the build would take 470 MB.
+    // Two processes use 130 MB before they begin, and the build would take 470 MB.
     CHECK(folder.run(command + " spec.json --output table.h5 --max-memory 220000000") == 4);
     CHECK_THAT(folder.last_line(), ContainsSubstring(R"("field":"ics")") && ContainsSubstring("unknowns"));
 }
@@ -249,7 +249,7 @@ TEST_CASE("A long step is reported again and again with the time that is left", 
     for (std::string line; std::getline(lines, line);)
         reports += line.find(R"("stage":"factorisation")") != std::string::npos &&
                    line.find("seconds_left") != std::string::npos;
-    CHECK(reports > 4);  // two load cases of some seconds each
+    CHECK(reports > 4);  // has two load cases of some seconds each
 }
 
 TEST_CASE("Without the module that meshes sections only sections are missed, by a sentence", "[contactd-ic]") {
@@ -292,7 +292,7 @@ TEST_CASE("A signal ends contactd-ic at once and leaves no file", "[contactd-ic]
     const Folder folder;
     folder.write("spec.json", slow);
     const auto [name, status] = GENERATE(std::pair("TERM", 143), std::pair("INT", 130));
-    // A shell ignores INT in what it starts in the background, so the program is started by the shell's exec.
+    // A shell ignores INT in programs that it starts in the background, so the program is started by the shell's exec.
     std::ofstream(folder / "run.sh") << "echo $$ > pid\nexec " << program << " spec.json --output table.h5\n";
     int code = 0;
     std::thread runner([&] { code = folder.run("sh run.sh"); });

@@ -1,4 +1,4 @@
-// Displacements of the half-space on the far faces, the bilinear load, and the solvers.
+// Tests displacements of the half-space on the far faces, the bilinear load, and the solvers.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

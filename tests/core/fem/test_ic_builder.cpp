@@ -35,7 +35,7 @@ double largest_difference(const IcTable& a, const IcTable& b) {
     return result;
 }
 
-/// The table with x and y exchanged.
+/// Returns the table with x and y exchanged.
 IcTable mirrored(const IcTable& table) {
     const auto other = [](Axis axis) { return axis == Axis::x ? Axis::y : axis == Axis::y ? Axis::x : Axis::z; };
     IcTable result(table.ny, table.nx);
@@ -117,7 +117,7 @@ TEST_CASE("Linear sampling costs what the surface mesh's stretching costs", "[fe
     };
     CHECK_THAT(cost("paper-test3", Sampling::linear), WithinAbs(0.012, 0.002));
     CHECK_THAT(cost("paper-test2", Sampling::linear), WithinAbs(0.038, 0.004));
-    // Half the interval, so about a quarter of the error.
+    // Half the interval leaves about a quarter of the error.
     CHECK_THAT(cost("paper-test3", Sampling::linear_nodes), WithinAbs(0.0038, 0.0005));
     CHECK_THAT(cost("paper-test2", Sampling::linear_nodes), WithinAbs(0.0103, 0.0015));
 }

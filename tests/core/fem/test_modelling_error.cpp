@@ -1,4 +1,4 @@
-// How far a block's table is from loads that are not in its middle: what is stated holds for every element.
+// Tests the stated difference between a block's table and loads that are not in its middle, for every element.
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -35,7 +35,7 @@ IcSpec block_spec(int nx, int ny, double dy, double nu, double L_over_h) {
     return spec;
 }
 
-/// Blocks from those that hardly hold their elements to those that are thick against them.
+/// Lists blocks, from slim ones that just contain their elements to blocks that are much larger.
 IcSpec random_block(Dice& dice) {
     const int nx = dice.integer(1, 24), ny = dice.integer(1, 24);
     const double dy = dice.chance(0.4) ? 1 : dice.log_uniform(0.2, 5);
@@ -63,8 +63,8 @@ double half_space(const IcSpec& spec, Axis i, double x, double y) {
                : half_space_coefficient(i, i, x, y, spec.dx, spec.dy, spec.material);
 }
 
-/// The largest error of the table's coefficients, as IcSpec::accuracy measures them, under a load on the element
-/// (ix, iy): what it does, computed on a finer mesh, to every element.
+/// Returns the largest error of the table's coefficients, as measured by IcSpec::accuracy, under a load on the element
+/// (ix, iy), from its displacements on a finer mesh.
 double found(const IcSpec& spec, const BlockCorrection& block, Axis load, int ix, int iy) {
     std::vector<double> xs = centres(spec.nx, spec.dx), ys = centres(spec.ny, spec.dy);
     // A load beside the middle is mirrored to the quarter of positive x and y, and so are the elements.
@@ -105,7 +105,7 @@ void check_blocks(std::uint64_t first, std::uint64_t count) {
         for (const Axis load : axes) {
             const int ix = dice.integer(0, spec.nx - 1), iy = dice.integer(0, spec.ny - 1);
             CAPTURE(load, ix, iy);
-            // Two digits of it are told.
+            // It has two digits.
             CHECK(found(spec, block, load, ix, iy) <= 1.03 * bound + 1e-5);
             CHECK(found(spec, block, load, 0, spec.ny - 1) <= 1.03 * bound + 1e-5);
         }
@@ -132,7 +132,7 @@ TEST_CASE("a block of one element has no modelling error", "[block]") {
     CHECK(stated(block_spec(1, 1, 1, 0.28, 20)) < 1e-9);
 }
 
-// Slow: finite elements in three dimensions, factorised.
+// This is slow, because of factorisations in three dimensions.
 TEST_CASE("a load beside the middle of a block does what finite elements of another make say", "[block][slow]") {
     constexpr double L = 12, nu = 0.28;
     constexpr int ny = 5;

@@ -28,7 +28,7 @@ double block_size(const IcSpec& spec) {
     return spec.fem.L_over_h * std::max(spec.dx, spec.dy);
 }
 
-/// Distances from the origin along each axis.
+/// Returns distances from the origin along each axis.
 std::array<double, 3> at(mfem::Mesh& mesh, const ElementPoint& place) {
     mfem::Vector position;
     mesh.GetElementTransformation(place.element)->Transform(place.point, position);
@@ -115,7 +115,7 @@ TEST_CASE("Oblong elements stretch the prisms' cube along each axis", "[fem][mes
     std::array<double, 3> farthest{};
     for (const int vertex : vertices)
         for (std::size_t a = 0; a < 3; ++a) farthest[a] = std::max(farthest[a], -block.mesh.GetVertex(vertex)[a]);
-    CHECK(farthest == std::array<double, 3>{4 / 2.0, 1 / 2.0, 2 / 2.0});  // two elements an edge, sqrt(dx dy) deep
+    CHECK(farthest == std::array<double, 3>{4 / 2.0, 1 / 2.0, 2 / 2.0});  // two elements per edge, sqrt(dx dy) deep
 }
 
 TEST_CASE("Every quadrilateral is cut by the diagonal asked for", "[fem][mesh][prism]") {

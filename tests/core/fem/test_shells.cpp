@@ -39,7 +39,7 @@ std::vector<ElementPosition> all_places(const Shells& shells) {
     return places;
 }
 
-/// The trilinear map of an element.
+/// Evaluates the trilinear map of an element.
 Point mapped(const Shells& shells, const ElementPosition& place, const Point& local) {
     Point result{};
     for (int corner_number = 0; corner_number < 8; ++corner_number) {
@@ -58,7 +58,7 @@ double volume(const Shells& shells, const ElementPosition& place) {
     const double g = 0.5 / std::sqrt(3.0);
     for (int i = 0; i < 8; ++i) {
         const Point at{0.5 + (i & 1 ? g : -g), 0.5 + (i & 2 ? g : -g), 0.5 + (i & 4 ? g : -g)};
-        std::array<Point, 3> d;  // derivatives: the map is linear along each axis
+        std::array<Point, 3> d;  // has constant derivatives, because the map is linear along each axis
         for (std::size_t a = 0; a < 3; ++a) {
             Point low = at, high = at;
             low[a] = 0;

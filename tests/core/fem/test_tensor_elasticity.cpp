@@ -1,4 +1,4 @@
-// Elasticity in the modes of a block's axes, and what is built on it.
+// Tests elasticity in the modes of a block's axes, and its applications.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 constexpr double L = 3;
 using Displacement = std::array<double, 3> (*)(double x, double y, double z, double nu);
 
-/// Stretched along x and y; along z as nothing pulls there.
+/// Stretches along x and y, without stress along z.
 std::array<double, 3> stretched(double x, double y, double z, double nu) {
     return {0.3 * x, -0.2 * y, -nu / (1 - nu) * 0.1 * z};
 }
@@ -62,7 +62,7 @@ TEST_CASE("Displacements that are linear are reproduced, whatever the planes", "
     const auto silent = [](int, double, double) {};
     const SolveResult result = system.solve(-system.forces_of(at_far_nodes(axes, u, nu)), w, 1e-12, 1000, silent);
     REQUIRE(result.converged);
-    // Inside of the last intervals, where nothing of what is given is seen.
+    // Excludes the last intervals, where prescribed values matter.
     for (const Axis i : {Axis::x, Axis::y, Axis::z}) {
         const auto value = u(0.9, 1.1, 0, nu)[static_cast<std::size_t>(i)];
         CHECK(std::abs(system.on_surface(w, i, {0.9}, {1.1})(0, 0) - value) < 1e-9);

@@ -1,4 +1,4 @@
-// Finite-element influence coefficients against reference values measured with MFEM 4.7 (G=82000, nu=0.28, h=0.8 mm).
+// Compares finite-element influence coefficients with reference values of MFEM 4.7 (G=82000, nu=0.28, h=0.8 mm).
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -54,7 +54,7 @@ TEST_CASE("TEST 3 with quadratic elements meets the reference", "[fem][verificat
     CHECK_THAT(evidence.errors.xx.value().largest, WithinRel(row.xx_largest, agreement));
 }
 
-// Slow: five blocks of up to 156405 unknowns.
+// This is slow: it uses five blocks of up to 156405 unknowns.
 TEST_CASE("The other tests meet the reference at L = 512", "[fem][verification][slow]") {
     const Origin row =
         GENERATE(Origin{"paper-test1", 2, 6100, 156405, -1.486e-3}, Origin{"paper-test2", 2, 880, 24321, -1.897e-3},
@@ -69,14 +69,14 @@ TEST_CASE("The other tests meet the reference at L = 512", "[fem][verification][
     CHECK_THAT(evidence.errors.zz.value().origin, WithinRel(row.zz, agreement));
 }
 
-// Slow: a block of the paper's finest mesh, with 160 x 160 coefficients.
+// This is slow: it uses a block of the paper's finest mesh, with 160 x 160 coefficients.
 TEST_CASE("A block 68000 elements large can be solved", "[fem][verification][slow]") {
     IcSpec spec = paper_spec("paper-test3", 1024);
     spec.dx = spec.dy = 0.015;
     spec.nx = spec.ny = 160;
     spec.fem.L_over_h = 1024 / 0.015;
     const IcEvidence evidence = build(spec);
-    // Truncation costs 0.4 h/L, which is nothing here; the discretisation of TEST 3 costs 8.8e-4.
+    // Truncation causes an error of 0.4 h/L, which is negligible here; the discretisation of TEST 3 causes 8.8e-4.
     CHECK_THAT(evidence.errors.zz.value().origin, WithinRel(-8.8e-4, agreement));
     CHECK(evidence.errors.zz.value().largest < 1e-2);
     CHECK(evidence.errors.scaled_xz.value() < 2e-3);

@@ -1,4 +1,4 @@
-// Numbers of users that become counts of rows, nodes, elements and stations, far beyond what anybody means.
+// Tests inputs that lead to absurdly large numbers of rows, nodes, elements and stations.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -20,7 +20,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// Throws what the call throws as a field, "" where it throws nothing.
+/// Returns the field of the call's refusal, or "" if it succeeds.
 std::string refused(const std::function<void()>& call) {
     try {
         call();
@@ -30,7 +30,7 @@ std::string refused(const std::function<void()>& call) {
     return "";
 }
 
-/// A profile 80 mm wide and many kilometres long: it leaps up and down between neighbours.
+/// Creates a profile 80 mm wide and many kilometres long, which jumps up and down between neighbours.
 ProfileCurve leaping(double height) {
     std::vector<ProfilePoint> points;
     for (int i = 0; i <= 800; ++i) points.push_back({-40 + 0.1 * i, i % 2 == 0 ? 0 : height});

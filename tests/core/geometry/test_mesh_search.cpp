@@ -1,4 +1,4 @@
-// Overlap found on a mesh seen from above.
+// Tests overlap on a mesh seen from above.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -22,7 +22,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// A cylinder of 450 mm on an arc of 300 mm whose top is lower by depth(x).
+/// Creates a cylinder of 450 mm on an arc of 300 mm whose top is lower by depth(x).
 template <class Depth>
 WheelRailSetup on_rail_of_depth(const Depth& depth, double from = -100, double to = 100, double step = 5) {
     WheelRailSetup setup = cylinder_on_arc(300);

@@ -1,4 +1,4 @@
-// The search and the gaps against brute force over the surfaces, written down here once more.
+// Compares the search and the gaps with brute force over the surfaces, implemented again here.
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -14,13 +14,13 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-/// Profiles that are functions z(y), as those of the set-up are.
+/// Holds profiles that are functions z(y), as in the set-up.
 class Surfaces {
    public:
     Surfaces(const WheelRailSetup& setup, const WheelRailState& state)
         : setup_(setup), state_(state), profiles_(geometry::make_profiles(setup)) {}
 
-    /// z of the rail at a point of the track.
+    /// Returns z of the rail at a point of the track.
     double rail(double x, double y) const {
         const double in_profile = y - profiles_.rail_origin.y;  // neither cant nor roll
         const double z = profiles_.rail.at(profiles_.rail.s_at_y(in_profile)).z + profiles_.rail_origin.z;
@@ -29,7 +29,8 @@ class Surfaces {
         return axle - std::sqrt((axle - z) * (axle - z) - x * x);
     }
 
-    /// By how much a point of the track is farther from the wheelset's axle than the wheel's surface, by z prescribed.
+    /// Returns the distance of a point of the track from the wheelset's axle minus that of the wheel's surface, at a
+    /// prescribed z.
     double outside_wheel(double x, double y, double z, double z_ws) const {
         const double roll = state_.position.roll, yaw = state_.position.yaw;
         const double dy = y - state_.position.y, dz = z - (z_ws - setup_.wheelset.nominal_radius);
@@ -76,7 +77,7 @@ TEST_CASE("The clearance is the least vertical distance over both surfaces") {
     setup.patches.locus_step = 0.01;  // rows 0.002 mm apart
     const Surfaces surfaces(setup, state);
     const geometry::Position position(setup, surfaces.profiles(), state);
-    // Around the locus, ever closer.
+    // Searches around the locus with decreasing steps.
     double least = 1e9, x = 0, y = 750, reach_x = 60, reach_y = 40;
     for (int round = 0; round < 7; ++round) {
         const double middle_x = x, middle_y = y;
@@ -118,7 +119,7 @@ TEST_CASE("Gaps end on both surfaces, along the normal of the plane") {
             for (int ix = 0; ix < place.grid.nx; ix += 5) {
                 const double x = x_c + place.grid.x(ix), t = place.grid.y(iy);
                 const double h = gap[static_cast<std::size_t>(iy * place.grid.nx + ix)] - place.approach;
-                // The rail's height by bisection, the wheel's is lower by h.
+                // Finds the rail's height by bisection; the wheel's is lower by h.
                 double low = -5, high = 5;
                 for (int i = 0; i < 60; ++i) {
                     const double n = 0.5 * (low + high), y = y_c + c * t - s * n, z = z_c + s * t + c * n;
@@ -132,7 +133,7 @@ TEST_CASE("Gaps end on both surfaces, along the normal of the plane") {
 }
 
 TEST_CASE("Regions far apart are patches of their own, and close ones are one") {
-    // Two humps of the rail under a cylinder, 4 mm wide in contact.
+    // Creates a rail with two humps under a cylinder, 4 mm wide in contact.
     WheelRailSetup setup;
     setup.wheel.shape = ConeProfile{0, -40, 40};
     const double apart = GENERATE(8.0, 12.0, 15.0, 40.0);

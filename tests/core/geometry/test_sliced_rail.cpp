@@ -1,4 +1,4 @@
-// Rails that vary along the track.
+// Tests rails that vary along the track.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -24,7 +24,7 @@ namespace {
 
 using Slice = geometry::SlicedRail::Slice;
 
-/// The points of a profile, higher by `lift` and moved aside.
+/// Returns the points of a profile, raised by `lift` and displaced.
 ProfileSpec moved(const ProfileSpec& spec, double lift, double aside = 0) {
     ProfilePoints points;
     const ProfileCurve curve = make_profile(spec).curve;
@@ -72,7 +72,7 @@ TEST_CASE("Between slices that are equal nothing changes, wherever others differ
     for (double share = 2; share < 3; share += 0.05) CHECK(top(share + 0.05) <= top(share) + 1e-12);
 }
 
-/// The field that a refusal names; empty where nothing is refused.
+/// Returns the field that a refusal names; empty without a refusal.
 template <class Act>
 std::string refused(const Act& act) {
     try {
@@ -83,14 +83,14 @@ std::string refused(const Act& act) {
     }
 }
 
-/// A flat top from y = 0 to `width`, with a step up of 10 mm there and 30 mm of flat beyond.
+/// Creates a flat top from y = 0 to `width`, with a step up of 10 mm there and 30 mm of flat beyond.
 ProfileCurve step_at(double width) {
     return ProfileCurve({{0, 10}, {0.5 * width, 10}, {width, 10}, {width + 0.01, 0}, {width + 15, 0}, {width + 30, 0}},
                         {2, 3});
 }
 
 TEST_CASE("Features are joined to straight lines, whatever lies between them") {
-    // The step moves aside by 1 in 10: kinks would do here, too, but the first profile has a kink more.
+    // The step moves sideways by 1 in 10. Kinks would suffice here, but the first profile has one kink more.
     std::vector<Slice> slices;
     for (const double x : {0.0, 50.0, 100.0, 150.0})
         slices.push_back({x, step_at(30 + x / 10), {0, 30 + x / 10, 40 + x / 10, 999}});
@@ -112,7 +112,7 @@ TEST_CASE("A part begins at the first slice that has it and ends at the last one
     for (const double x : {0.0, 50.0, 100.0, 150.0, 200.0}) slices.push_back({x, step_at(30), {0, 30, 40, 999}});
     slices[0].features = {0, 30, -1, -1};  // the lower flat alone
     slices[1].features = {0, 30, -1, -1};
-    slices[4].features = {-1, 30, 40, 999};  // all but the lower flat
+    slices[4].features = {-1, 30, 40, 999};  // all except the lower flat
     const geometry::SlicedRail rail(slices);
     const auto ends = [&](double x) {
         const ProfileCurve curve = rail.at(x);
@@ -168,7 +168,7 @@ TEST_CASE("Slices that are all the same are a rail") {
     state.velocity = {20000, 0, 0, 0, 0, -43.4};
     state.Fz = 60000;
     const WheelRailSolution plain = solve(setup, state), same = solve(sliced(setup, 0), state);
-    CHECK_THAT(same.z, WithinAbs(plain.z, 2e-4));  // points of slices lie at other places of the curve
+    CHECK_THAT(same.z, WithinAbs(plain.z, 2e-4));  // points of slices are at other positions of the curve
     CHECK_THAT(same.forces.track.Fx, WithinAbs(plain.forces.track.Fx, 0.01 * 18000));
     CHECK_THAT(same.forces.track.Fy, WithinAbs(plain.forces.track.Fy, 0.01 * 18000));
     REQUIRE(same.patches.size() == plain.patches.size());
@@ -185,7 +185,7 @@ TEST_CASE("On a rail that rises a wheel touches ahead of its centre") {
     REQUIRE(rising.patches.size() == 1);
     const double angle = std::atan(rise);
     CHECK_THAT(rising.patches[0].place.reference.x, WithinRel(450 * std::sin(angle), 2e-3));
-    // The rail's surface is higher there, and the wheel's rim, too.
+    // The rail's surface is higher there, and so is the wheel's rim.
     const double lift = 450 / std::cos(angle) - 450;
     CHECK_THAT(rising.z, WithinAbs(level.z - lift, 2e-4));
     CHECK_THAT(rising.patches[0].solution.pmax, WithinRel(level.patches[0].solution.pmax, 5e-3));
@@ -195,7 +195,7 @@ TEST_CASE("A rail of one cross-section presses as one between any slices, whatev
     WheelRailSetup setup = cylinder_on_arc(300);
     setup.dx = setup.dy = 0.4;
     setup.rail_spline = GENERATE(SliceSpline::shape_preserving, SliceSpline::cubic, SliceSpline::approximating);
-    const bool ramp = GENERATE(true, false);  // or a rail that goes aside, and dips
+    const bool ramp = GENERATE(true, false);  // or a rail that is displaced sideways, and dips
     const std::vector<double> places{-3000, -200, 0, 200, 1800, 2000, 2200, 5000};
     const std::vector<double> lift{0, 0, 0, 0.2, 1.8, 2, 2, 2}, dip{0, 0, 0, -0.1, -0.9, 0, 0, 0};
     const std::vector<double> aside{0, 0, 0, 1, 9, 10, 10, 10};

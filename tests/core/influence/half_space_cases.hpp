@@ -1,4 +1,4 @@
-// The kernels of the half-space, and specs of closed-form tables, for tests.
+// Provides the kernels of the half-space, and specs of closed-form tables, for tests.
 #pragma once
 
 #include <array>
@@ -12,7 +12,8 @@ namespace contactd::test {
 
 inline constexpr std::array axes = {Axis::x, Axis::y, Axis::z};
 
-/// Displacement along i at (x, y) for a unit point load along j at the origin (Johnson, chapter 3), times G.
+/// Returns the displacement along i at (x, y) for a unit point load along j at the origin (Johnson, chapter 3), times
+/// G.
 inline double kernel(Axis i, Axis j, double x, double y, double nu) {
     using std::numbers::pi;
     const double rho = std::hypot(x, y);

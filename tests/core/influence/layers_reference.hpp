@@ -1,5 +1,5 @@
-// Reference values of eight layered bodies, computed by two independent methods that agree to 1e-12: waves of
-// tractions, and coefficients of constant loads. Lengths and moduli are those of each body.
+// Lists reference values of eight layered bodies, computed by two independent methods that agree to 1e-12: waves of
+// tractions, and coefficients of constant loads. Each body has its own units of length and modulus.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace contactd::reference_layers {
 
-/// Shear modulus of the topmost layer times wavenumber times compliances (WaveCompliance).
+/// Holds the shear modulus of the topmost layer times wavenumber times compliances (WaveCompliance).
 struct Wave {
     double k, a, b, c, d;
 };
-/// Coefficients at an offset by (k, l) elements; zx and zy are -xz and -yz.
+/// Holds coefficients at an offset by (k, l) elements; zx and zy are -xz and -yz.
 struct Offset {
     int k, l;
     double xx, xy, xz, yy, yz, zz;

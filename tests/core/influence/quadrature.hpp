@@ -1,4 +1,4 @@
-// Adaptive quadrature over rectangles of functions that are singular as 1/rho at the origin, for tests.
+// Integrates functions that are singular as 1/rho at the origin over rectangles by adaptive quadrature, for tests.
 #pragma once
 
 #include <array>
@@ -34,7 +34,8 @@ inline double adaptive(const Function& f, double x0, double x1, double y0, doubl
            adaptive(f, x0, cx, cy, y1, tolerance / 4) + adaptive(f, cx, x1, cy, y1, tolerance / 4);
 }
 
-/// The rectangle between the origin and (a, b): Duffy's transformation of its two triangles takes the singularity away.
+/// Integrates over the rectangle between the origin and (a, b); Duffy's transformation of its two triangles removes the
+/// singularity.
 inline double from_origin(const Function& f, double a, double b, double tolerance) {
     const auto lower = [&](double u, double t) { return f(a * u, b * u * t) * u; };
     const auto upper = [&](double u, double t) { return f(a * u * t, b * u) * u; };
@@ -42,7 +43,7 @@ inline double from_origin(const Function& f, double a, double b, double toleranc
     return area * (adaptive(lower, 0, 1, 0, 1, tolerance / area) + adaptive(upper, 0, 1, 0, 1, tolerance / area));
 }
 
-/// Any rectangle: split along the axes, so that the origin is a corner of the parts that touch it.
+/// Integrates over any rectangle, split along the axes, so that the origin is a corner of the parts that touch it.
 inline double integrate(const Function& f, double x0, double x1, double y0, double y1, double tolerance) {
     if (x0 < 0 && x1 > 0) return integrate(f, x0, 0, y0, y1, tolerance) + integrate(f, 0, x1, y0, y1, tolerance);
     if (y0 < 0 && y1 > 0) return integrate(f, x0, x1, y0, 0, tolerance) + integrate(f, x0, x1, 0, y1, tolerance);

@@ -1,4 +1,4 @@
-// Long computations end when their observer says so, and not only when they are done.
+// Tests that long computations end soon after their observer cancels them.
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
 #include <functional>
@@ -19,7 +19,7 @@ using namespace contactd::test;
 
 namespace {
 
-/// Says so at the question of this number.
+/// Cancels at the call of this number.
 class EndedAt final : public Observer {
    public:
     explicit EndedAt(int question) : left_(question) {}
@@ -30,7 +30,7 @@ class EndedAt final : public Observer {
     mutable int left_;
 };
 
-/// How often `work` asks, which is at least `least` times; at each of some questions it ends.
+/// Counts the calls of `work`, at least `least`, and cancels at some of them.
 void check_asks(int least, const std::function<void(Observer&)>& work) {
     constexpr int never = 1'000'000;
     EndedAt counts(never);
@@ -41,7 +41,7 @@ void check_asks(int least, const std::function<void(Observer&)>& work) {
         if (question < 1) continue;
         EndedAt ends(question);
         CHECK_THROWS_AS(work(ends), Cancelled);
-        CHECK(ends.left() == 0);  // nothing was asked, or done, behind it
+        CHECK(ends.left() == 0);  // no calls and no work follow
     }
 }
 

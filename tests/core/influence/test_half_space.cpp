@@ -53,8 +53,8 @@ TEST_CASE("closed form agrees with quadrature for all components", "[half_space]
             }
 }
 
-// A strip of the half-width a under unit pressure sinks in its middle by (1 - nu)/(pi G) ((x+a) ln|x+a| - (x-a) ln|x-a|
-// - 2 a ln a) deeper than at x (Johnson, Contact Mechanics, 2.5(a)); ends L away change that by (x/L)^2.
+// The middle of a strip of half-width a under unit pressure is deeper than at x by (1 - nu)/(pi G) ((x+a) ln|x+a| -
+// (x-a) ln|x-a| - 2 a ln a) (Johnson, Contact Mechanics, 2.5(a)). Ends at the distance L change this by (x/L)^2.
 TEST_CASE("elements a hundred thousand times longer than wide act as strips", "[half_space]") {
     const double dx = 0.05, dy = 1e5 * dx, a = dx / 2;
     const Material material{82000, 0.28};

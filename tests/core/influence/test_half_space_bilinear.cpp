@@ -1,4 +1,4 @@
-// Coefficients of the hat function of bilinear tractions (paper, Remark 1).
+// Tests coefficients of the hat function of bilinear tractions (paper, Remark 1).
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -18,7 +18,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-// The kernel times the hat function, in the four rectangles on which the hat function is a polynomial.
+// Integrates the kernel times the hat function over the four rectangles on which the hat function is a polynomial.
 double by_quadrature(Axis i, Axis j, double x, double y, double dx, double dy, const Material& material,
                      double tolerance) {
     const auto f = [&](double X, double Y) {
@@ -31,7 +31,7 @@ double by_quadrature(Axis i, Axis j, double x, double y, double dx, double dy, c
     return sum;
 }
 
-// The largest component anywhere, to which absolute errors are compared.
+// Returns the largest component anywhere, as the scale of absolute errors.
 double largest_entry(double dx, double dy, const Material& material) {
     return std::max({half_space_bilinear_coefficient(Axis::x, Axis::x, 0, 0, dx, dy, material),
                      half_space_bilinear_coefficient(Axis::y, Axis::y, 0, 0, dx, dy, material),
@@ -92,7 +92,7 @@ TEST_CASE("the hat function keeps its relative accuracy far away", "[half_space]
             }
 }
 
-// The half hat functions are evaluated elsewhere and by other formulas than the whole.
+// The half hat functions use other points and formulas than the whole one.
 TEST_CASE("the hat function is the sum of its half hat functions to rounding", "[half_space]") {
     const double aspect = GENERATE(1e-3, 0.01, 0.1, 0.7, 1.0, 5.0, 10.0, 100.0, 1e3);
     const Material material{1, 0.3};
@@ -129,8 +129,8 @@ TEST_CASE("the hat function is the constant load averaged over an element", "[ha
             }
 }
 
-// Hat functions on a grid add up to 1, with a slope of one element around: the constant load on all elements, averaged
-// over one.
+// Hat functions on a grid add up to 1, with a slope of one element around it: the average of constant loads over one
+// element.
 TEST_CASE("hat functions side by side sum to a constant load", "[half_space]") {
     const Material material{200, 0.3};
     const double dx = 0.1, dy = 0.25;

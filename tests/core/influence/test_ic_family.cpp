@@ -1,4 +1,4 @@
-// Interpolation between tables of several Poisson's ratios.
+// Tests interpolation between tables of several Poisson's ratios.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -20,7 +20,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-// Tables of 3 x 2 offsets that are the half-space's with one entry replaced by f(nu).
+// Creates tables of 3 x 2 offsets that are the half-space's with one entry replaced by f(nu).
 std::vector<IcTable> family_with(int n, Axis i, Axis j, int k, int l, const std::function<double(double)>& f) {
     std::vector<IcTable> family;
     for (const double nu : family_points(n)) {
@@ -53,7 +53,7 @@ TEST_CASE("the points of a family rise from 0 to 0.49 in two halves and hold tho
 }
 
 TEST_CASE("Poisson's ratios that are told apart by rounding only belong to the same half", "[ic_family]") {
-    // The halves of an accuracy have meshes of their own.
+    // Both halves of an accuracy have their own meshes.
     std::vector<IcTable> family = family_with(5, Axis::z, Axis::z, 1, 1, [](double) { return 1; });
     for (std::size_t j = 5; j < family.size(); ++j) family[j](Axis::z, Axis::z, 1, 1) = 2;
     CHECK(at(family, 0.3) == at(family, 0.1 + 0.2));
@@ -73,7 +73,7 @@ TEST_CASE("n tables reproduce polynomials of degree n - 1", "[ic_family]") {
 }
 
 TEST_CASE("the halves do not know of each other", "[ic_family]") {
-    // Each half has a table at the break, of an accuracy on a mesh of its own.
+    // Each half of an accuracy has a table at the break, on its own mesh.
     auto family = family_with(3, Axis::z, Axis::z, 1, 1, [](double) { return 1; });
     for (std::size_t j = 3; j < family.size(); ++j) family[j](Axis::z, Axis::z, 1, 1) = 2;
     CHECK_THAT(at(family, 0.29), WithinRel(1, 1e-14));
@@ -117,7 +117,7 @@ TEST_CASE("the estimate bounds the error of interpolation", "[ic_family]") {
     struct Case {
         const char* name;
         std::function<double(double)> f;
-        double generous;  // the estimate may be so many times the error
+        double generous;  // factor by which the estimate may exceed the error
     };
     const auto& [name, f, generous] = GENERATE(values<Case>({
         {"1/(0.55-nu)", [](double nu) { return 1 / (0.55 - nu); }, 4},
@@ -133,7 +133,7 @@ TEST_CASE("the estimate bounds the error of interpolation", "[ic_family]") {
 
     const double estimate = interpolation_error(analytic({1, 0}, 1, 0.5, 3, 2), family);
 
-    // Errors are relative to the value there, the estimate to the smallest: that may add its own factor.
+    // Errors are relative to the local value, and the estimate to the smallest one, which may add a factor.
     CAPTURE(name, n, error, estimate);
     const double spread = std::max(f(0), f(0.49)) / std::min(f(0), f(0.49));
     CHECK(estimate >= error);

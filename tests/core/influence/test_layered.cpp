@@ -1,4 +1,4 @@
-// Layered bodies: their compliance under waves, their coefficients, and what they tend to.
+// Tests layered bodies: their compliance under waves, their coefficients, and limits.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -42,7 +42,7 @@ IcTable half_space(const Material& material, LoadShape load_shape, int nx, int n
     return half_space_table(spec);
 }
 
-// Over the offsets of both signs.
+// Lists offsets of both signs.
 double sum_over_plane(const IcTable& table, Axis i) {
     double sum = 0;
     for (int l = 0; l < table.ny; ++l)
@@ -117,7 +117,7 @@ TEST_CASE("coefficients on a rigid base add up to the layers' uniform compressio
 }
 
 TEST_CASE("a thin layer on a rigid base is a Winkler foundation") {
-    // The deviation falls off exponentially with dx/(2h); measured with two other methods, see reference_layers.
+    // The deviation decreases exponentially with dx/(2h); it was measured with two other methods, see reference_layers.
     const auto [thickness, deviation] =
         GENERATE(std::pair{0.2, 1.5e-2}, std::pair{0.1, 1.5e-3}, std::pair{0.05, 1.6e-5}, std::pair{0.02, 2e-11});
     const auto shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
@@ -129,21 +129,21 @@ TEST_CASE("a thin layer on a rigid base is a Winkler foundation") {
         CHECK_THAT(table(x, x, 0, 0), WithinRel(shear, 8 * deviation));
         CHECK_THAT(table(z, z, 1, 0), WithinAbs(0, deviation * winkler));
     } else {
-        // The kink of the hat function spreads over the thickness.
+        // The kink of the hat function is smoothed over the thickness.
         CHECK_THAT(table(z, z, 0, 0), WithinRel(winkler, 2 * thickness));
         CHECK(table(z, z, 0, 0) < winkler);
     }
 }
 
 TEST_CASE("a thin incompressible layer on a rigid base yields where the pressure curves") {
-    // Lubrication theory: w = -h^3/(3G) times the Laplacian of the pressure, exact for long waves.
+    // By lubrication theory, w = -h^3/(3G) times the Laplacian of the pressure, exact for long waves.
     const double thickness = GENERATE(0.02, 0.05);
     const LayeredWaves waves({{{thickness, 3, 0.5}}, Material::rigid()});
     const double k = 0.05;
     CHECK_THAT(waves.at(k).c, WithinRel(k * std::pow(k * thickness, 2) * thickness / 3, 2 * k * thickness));
     const IcTable table = layered_table({{{thickness, 3, 0.5}}, Material::rigid()}, LoadShape::bilinear, 6, 6, 1, 1);
-    // The second derivative of a hat function is -2/dx where it has its apex, smeared over the thickness, and 1/dx at
-    // its feet: the layer is pressed out from below the load.
+    // The second derivative of a hat function is -2/dx at its apex and 1/dx at its feet, smoothed over the thickness:
+    // the load displaces the layer sideways.
     CHECK(table(z, z, 0, 0) > 0);
     CHECK(table(z, z, 1, 0) < 0);
     CHECK_THAT(sum_over_plane(table, z), WithinAbs(0, 1e-10 * thickness));
@@ -190,7 +190,8 @@ TEST_CASE("small hat functions add up to large ones") {
 }
 
 TEST_CASE("a hat function is the mean of constant loads around it") {
-    // Elements a third as large: the mean over 3 x 3 of them is the mean over an element, but for what is between.
+    // For elements a third as large, the mean over 3 x 3 of them equals the mean over an element, except for variations
+    // in between.
     const Layers body = GENERATE(Layers{{{1, 1, 0.3}}, Material::rigid()}, Layers{{{0.4, 5, 0.5}}, {1, 0.3}});
     const IcTable hats = layered_table(body, LoadShape::bilinear, 6, 6, 1, 1);
     constexpr int parts = 9;
@@ -219,7 +220,7 @@ TEST_CASE("the error that is stated of a table of layers is no less than the one
     CHECK(errors.yy->largest < 1e-9);
     CHECK(errors.zz->largest > 0);
     if (shape == LoadShape::bilinear) return;
-    const double rounding = 2e-12;  // of the values as they are printed
+    const double rounding = 2e-12;  // rounding of the printed values
     for (const auto& offset : reference.offsets)
         CHECK(std::abs(table.at(z, z, offset.k, offset.l) - offset.zz) <
               (errors.zz->largest + rounding) * error_scale(reference.body, table));

@@ -1,4 +1,4 @@
-// Coefficients of a line contact, and what a problem in plane strain may be asked.
+// Tests coefficients of a line contact, and valid inputs of problems in plane strain.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -101,7 +101,7 @@ TEST_CASE("displacements of a line load vanish at the datum", "[line]") {
 TEST_CASE("a hat function along x is a mean of constant loads, near and far", "[line]") {
     const IcTable hat = half_space_table(line_spec(LoadShape::bilinear));
     for (const int k : {0, 1, 2, 7, 8, 9, 30}) {
-        // The constant load half an element to both sides, by shifted tables of its pair with a rigid body.
+        // Adds the constant load half an element to both sides, by shifted tables of its pair with a rigid body.
         double zz = 0, xz = 0;
         constexpr int points = 400;
         for (int n = 0; n < points; ++n) {

@@ -18,7 +18,7 @@ namespace {
 const MaterialPair different{{3, 0.4}, {1, 0.1}};
 constexpr std::array tangential_axes = {Axis::x, Axis::y};
 
-// Coefficient [i,j] of a pair as a function of the place.
+// Returns coefficient [i,j] of a pair as a function of the position.
 using Exact = std::function<double(Axis, Axis, double, double)>;
 
 Exact half_spaces(const MaterialPair& bodies, LoadShape load_shape, double dx, double dy) {
@@ -32,7 +32,7 @@ Exact half_spaces(const MaterialPair& bodies, LoadShape load_shape, double dx, d
     };
 }
 
-// Like a layer of thickness d: the half-spaces less nine tenths of point loads at twice that depth.
+// Approximates a layer of thickness d: the half-spaces minus nine tenths of point loads at twice that depth.
 Exact layer(const MaterialPair& bodies, double dx, double dy, double d) {
     const Exact whole = half_spaces(bodies, LoadShape::constant, dx, dy);
     return [=](Axis i, Axis j, double x, double y) {
@@ -53,7 +53,7 @@ IcTable sampled(const Exact& exact, int nx, int ny, double dx, double dy) {
     return table;
 }
 
-// Largest error over all offsets and components, of the largest coefficient.
+// Returns the largest error over all offsets and components, divided by the largest coefficient.
 double error(const ShiftedTable& table, const Exact& exact, const Grid& grid, double shift_x, double shift_y) {
     double largest = 0;
     for (const Axis i : tangential_axes)
@@ -100,7 +100,7 @@ TEST_CASE("a shift by whole elements takes the numbers of the table", "[shifted]
     IcTable table(9, 6);
     for (std::size_t i = 0; i < table.values.size(); ++i) table.values[i] = std::sin(7.0 * static_cast<double>(i));
     const auto [steps_x, steps_y] = GENERATE(std::pair{1, 0}, std::pair{0, -1}, std::pair{-2, 3}, std::pair{5, 1});
-    // cos(pi/2) and the like bring rounding along.
+    // cos(pi/2) and similar values cause rounding errors.
     const ShiftedTable shifted = shifted_table(table, {}, grid, steps_x + 6e-17, steps_y * 0.7 - 6e-17);
     for (const Axis i : tangential_axes)
         for (const Axis j : axes)

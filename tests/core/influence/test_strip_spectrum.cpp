@@ -20,7 +20,7 @@ namespace {
 constexpr double nu = 0.28, xi0 = 0.01;
 constexpr std::array axes{Axis::x, Axis::y, Axis::z};
 
-/// Flat strips whose transform is that of the screened half-space itself.
+/// Creates flat strips whose transform is that of the screened half-space itself.
 StripSpectrum flat_spectrum(int strips, int nodes) {
     StripSpectrum spectrum{strips, nu, xi0, wavenumber_nodes(xi0, 6, nodes), {}, {}};
     for (int strip = 0; strip < strips; ++strip) spectrum.frames.push_back({static_cast<double>(strip), 0, 0});
@@ -91,8 +91,8 @@ TEST_CASE("The transform of the screened half-space becomes the screened half-sp
 }
 
 TEST_CASE("Screened kernels in space are the transforms of those in wavenumbers", "[strips]") {
-    // Far from the singularity, where an element is about a point: cosine and sine integrals over the strip's
-    // transform.
+    // Far from the singularity an element is nearly a point, so cosine and sine integrals over the strip's transform
+    // apply.
     const double x = 3.5, dx = 1e-3, last = 40;
     const int l = 2;
     const KernelIntegrals change = screening(xi0, x, l, dx);

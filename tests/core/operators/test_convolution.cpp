@@ -27,7 +27,7 @@ IcTable dissimilar_pair(const Grid& grid) {
     return pair_of(body({3, 0.4}), body({1, 0.1}));
 }
 
-// A table that no closed form made: every component its own values, odd ones zero on the axes.
+// Creates a table without a closed form: every component has its own values, odd ones zero on the axes.
 IcTable rough_table(const Grid& grid) {
     IcTable table = dissimilar_pair(grid);
     const Values noise = random_values(table.values.size(), 7, 0.9, 1.1);
@@ -107,7 +107,7 @@ TEST_CASE("convolution skips rows without traction correctly", "[convolution]") 
     const ConvolutionOperator influence(table, 6, 7);
     Values p(42), u(42);
     p[20] = 2;
-    influence.normal(random_values(42, 5), u);  // leaves its marks in the workspace
+    influence.normal(random_values(42, 5), u);  // leaves data in the workspace
     influence.normal(p, u);
     check_equal(u, dense_product(table, Axis::z, Axis::z, 6, 7, p));
 }
@@ -119,7 +119,7 @@ TEST_CASE("convolution of both tangential components skips rows without traction
     const Values noise = random_values(influence.size(), 5), none(influence.size());
     Values p(influence.size()), ux(influence.size()), uy(ux);
     p[56] = 2;
-    influence.tangential(noise, noise, ux, uy);  // leaves its marks in the workspace
+    influence.tangential(noise, noise, ux, uy);  // leaves data in the workspace
     influence.tangential(p, none, ux, uy);
     check_equal(ux, dense_product(table, Axis::x, Axis::x, nx, ny, p));
     check_equal(uy, dense_product(table, Axis::y, Axis::x, nx, ny, p));
@@ -167,7 +167,7 @@ TEST_CASE("preconditioner is symmetric and positive on any contact set", "[convo
     }
     for (std::size_t i = 0; i < set.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) CHECK_THAT(matrix[i][j], WithinAbs(matrix[j][i], 1e-12 * matrix[0][0]));
-    for (std::size_t k = 0; k < set.size(); ++k) {  // elimination keeps positive pivots exactly for positive matrices
+    for (std::size_t k = 0; k < set.size(); ++k) {  // elimination has positive pivots exactly for positive matrices
         REQUIRE(matrix[k][k] > 0);
         for (std::size_t i = k + 1; i < set.size(); ++i)
             for (std::size_t j = k + 1; j < set.size(); ++j) matrix[i][j] -= matrix[i][k] * matrix[k][j] / matrix[k][k];

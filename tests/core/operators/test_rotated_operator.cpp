@@ -18,7 +18,7 @@ struct Vector {
     double x = 0, s = 0, z = 0;
 };
 
-/// Bodies that differ, so that flat half-spaces are coupled.
+/// Uses dissimilar bodies, so that flat half-spaces are coupled.
 ContactProblem rolling_problem(const Grid& grid, double dq) {
     ContactProblem problem;
     problem.grid = grid;

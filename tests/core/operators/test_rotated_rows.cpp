@@ -1,4 +1,4 @@
-// Operators of half-spaces that turn from row to row, beside tables that are made anew for the rows.
+// Compares operators of half-spaces that rotate from row to row with tables recomputed for the rows.
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -44,7 +44,7 @@ ContactInfluence influence_of(const ContactProblem& problem, const std::vector<S
     return rotated_influence(problem, midway, frames);
 }
 
-/// The table of the pair at the offsets k dx + shift, from one coefficient to the next.
+/// Returns the table of the pair at the offsets k dx + shift, from one coefficient to the next.
 StripTable made_anew(const ContactProblem& problem, std::vector<StripFrame> frames, double shift = 0) {
     const Grid& grid = problem.grid;
     const auto table_of = [&](const Material& material) {
@@ -57,7 +57,7 @@ StripTable made_anew(const ContactProblem& problem, std::vector<StripFrame> fram
     return pair_of(table_of(upper), std::move(below));
 }
 
-/// TablesAnew at offsets of both signs, less those one step ahead where one is given.
+/// Holds TablesAnew at offsets of both signs, minus those one step ahead if a step is given.
 class TablesAnew {
    public:
     TablesAnew(const ContactProblem& problem, const std::vector<StripFrame>& frames)
@@ -71,7 +71,7 @@ class TablesAnew {
     double operator()(Axis i, Axis j, int I, int J, int k) const {
         const double sign = parity(i, j).along_x;
         if (!changes_) return here_.at(i, j, I, J, k);
-        // In a mirror, an element ahead of a negative offset lies before a positive one.
+        // In the mirror image, an element ahead at a negative offset lies before a positive one.
         return here_.at(i, j, I, J, k) - (k >= 0 ? ahead_(i, j, I, J, k) : sign * before_(i, j, I, J, -k));
     }
 
@@ -80,7 +80,7 @@ class TablesAnew {
     const bool changes_ = false;
 };
 
-/// Displacements along i at some elements of a box for tractions along j on all of it, by summing up.
+/// Sums displacements along i at some elements of a box for tractions along j on all of it.
 struct Sampled {
     const TablesAnew& coefficients;
     ElementBox box;
@@ -185,7 +185,7 @@ TEST_CASE("A large patch whose rows turn has the coefficients of small ones", "[
     std::vector<StripFrame> frames;
     for (int row = 0; row < ny; ++row) frames.push_back({0, 0, 0.6 * std::sin(0.02 * row)});
     const ContactInfluence influence = influence_of(problem, frames);
-    // Loads on a small part of it, in two rows far from each other.
+    // Applies loads on a small part of it, in two distant rows.
     const int rows[] = {3, 90}, columns = 4;
     const std::size_t n = problem.grid.size();
     Values px(n), py(n), pz(n), ux(n), uy(n), uz(n), vx(n), vy(n);
@@ -212,7 +212,7 @@ TEST_CASE("A large patch whose rows turn has the coefficients of small ones", "[
                 const StripAxes axes(view.turn);
                 for (int l = 0; l < columns; ++l) {
                     const auto integrals = constant_load_integrals((k - l) * 0.5, view.s, 0.5, 0.4);
-                    // Coupling by the half-spaces cancels between both bodies; the other components add up.
+                    // Coupling of the half-spaces cancels between both bodies; the other components are added.
                     NineValues midway = nine_values(integrals, soft.nu);
                     for (const std::size_t coupled : {2, 5, 6, 7}) midway[coupled] = 0;
                     const NineValues value = axes(midway);
@@ -275,7 +275,7 @@ TEST_CASE("No coefficient of a large patch whose rows turn is changed by more th
     compare(current, uz, z, y);
     CHECK(largest_error <= largest_change * zz);
     CHECK(largest_error > 1e-12 * zz);  // something is left out
-    // A step is the difference at two places; one by part of an element counts by its length.
+    // A step is the difference between two places; a step by part of an element counts by its length.
     largest_error = 0;
     both(change, *influence.increment);
     CHECK(largest_error <= 2 * largest_change * zz);

@@ -63,7 +63,7 @@ TEST_CASE("shifted operator equals the dense sum", "[shifted]") {
 }
 
 TEST_CASE("displacements on a shifted grid are those the particles have there", "[shifted]") {
-    // A shift by one element along x: the displacements of the neighbour.
+    // A shift by one element along x gives the displacements of the neighbour.
     const int nx = 9, ny = 6;
     const Material upper{3, 0.4}, lower{1, 0.1};
     const auto pair = [&](int extent_x) {

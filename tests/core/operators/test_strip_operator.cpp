@@ -20,7 +20,7 @@ namespace {
 
 using enum Axis;
 
-/// A reciprocal table whose strips have nothing in common, its offsets along x those of half-spaces.
+/// Creates a reciprocal table of unrelated strips, whose offsets along x are those of half-spaces.
 StripTable rough_table(int nx, int strips) {
     const Material soft{1, 0.1}, stiff{3, 0.4};
     const Grid grid = Grid::of_elements(nx, strips, 1, 0.7);
@@ -30,7 +30,7 @@ StripTable rough_table(int nx, int strips) {
     return symmetrised(std::move(table));
 }
 
-/// u_i = A[i,j] p_j with A at `ahead` elements ahead, element by element of a box of strips from `first` on.
+/// Returns u_i = A[i,j] p_j with A at `ahead` elements ahead, element by element of a box of strips from `first` on.
 Values dense(const StripTable& table, Axis i, Axis j, const ElementBox& box, const Values& p, int ahead = 0) {
     Values u(p.size());
     for (std::size_t to = 0; to < u.size(); ++to)
@@ -80,7 +80,7 @@ StripOperator operator_of(const StripTable& table, int nx) {
     return {parts, parts->extent(), near_operator(nx, table.strips)};
 }
 
-/// Two half-spaces that roll along x, as flat bodies with a cross-section.
+/// Creates two half-spaces that roll along x, as flat bodies with a cross-section.
 struct FlatRolling {
     ContactProblem problem;
     ContactInfluence strips, half_spaces;

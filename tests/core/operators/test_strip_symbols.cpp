@@ -10,7 +10,7 @@ using namespace contactd;
 
 namespace {
 
-/// 1/r with r = (offset, across), the more even the farther across.
+/// Uses 1/r with r = (offset, across), which is smoother at a larger distance across.
 std::vector<double> kernel(int n, double across) {
     std::vector<double> values;
     for (int k = 0; k < n; ++k) values.push_back(1 / std::hypot(k, across));

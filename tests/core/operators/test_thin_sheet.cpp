@@ -1,4 +1,4 @@
-// A thin sheet between the bodies: what it adds to their displacements, and contacts in which it is little or all.
+// Tests a thin sheet between the bodies: its displacements, and contacts in which its effect is small or dominant.
 #include "operators/sheets/thin_sheet.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr Material steel{82000, 0.28};
 
-/// A ball of 100 mm on a plane.
+/// Creates a ball of 100 mm on a plane.
 ContactProblem ball(int n, double size, const Material& material = steel) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(n, n, size / n, size / n);

@@ -14,7 +14,7 @@ namespace {
 
 using enum Axis;
 
-/// An operator of a flat surface, with a grid's length of elements, and the change that products may have.
+/// Creates an operator of a flat surface, with elements as long as the grid, and the change that products may have.
 struct Trimmed {
     StripTable table;
     std::shared_ptr<const StripParts> parts;

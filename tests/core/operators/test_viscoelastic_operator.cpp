@@ -32,7 +32,7 @@ RollingTable table_of(const ContactProblem& problem) {
 }
 
 void check_equal(const Values& computed, const Values& expected) {
-    constexpr double rounding = 1e-18;  // of what is zero by symmetry
+    constexpr double rounding = 1e-18;  // error of components that are zero by symmetry
     for (std::size_t i = 0; i < computed.size(); ++i)
         CHECK_THAT(computed[i], WithinAbs(expected[i], 1e-13 * largest(expected) + rounding));
 }
@@ -100,7 +100,7 @@ TEST_CASE("on a coarser grid bodies that creep yield as much", "[viscoelastic]")
 TEST_CASE("the preconditioner of bodies that creep is as good as that of elastic ones", "[viscoelastic]") {
     const double chi = GENERATE(0.0, 3.14159265358979323846);
     ContactProblem problem = rolling_problem(64, 48, chi), elastic = problem;
-    // Waves behind the grid count for little where creep is fast.
+    // With fast creep, waves behind the grid matter little.
     problem.bodies.upper.viscoelastic->tau = 1e-3;
     problem.bodies.lower.viscoelastic->tau = 5e-4;
     for (Body* body : {&elastic.bodies.upper, &elastic.bodies.lower}) body->viscoelastic.reset();

@@ -1,4 +1,4 @@
-// Records of the tests of keys, files and the store.
+// Creates records for the tests of keys, files and the store.
 #pragma once
 
 #include <filesystem>

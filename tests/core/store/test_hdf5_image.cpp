@@ -1,4 +1,4 @@
-// Files of strangers: HDF5 that is sound, with whatever it can do to whoever reads it.
+// Tests untrusted files: valid HDF5 with features that could harm a reader.
 #include <H5Cpp.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ void check_refused(const std::function<void(H5::H5File&)>& change, const std::st
     CHECK_THROWS_MATCHES(from_hdf5(image), DamagedTable, MessageMatches(ContainsSubstring(says)));
 }
 
-/// In the place of the table.
+/// Replaces the table.
 void put_dataset(H5::H5File& file, const H5::DSetCreatPropList& how, const H5::DataType& type,
                  const std::vector<hsize_t>& shape) {
     file.unlink(table);

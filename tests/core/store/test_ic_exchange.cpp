@@ -1,4 +1,4 @@
-// CONTACT's text and the bytes of an IC file.
+// Tests CONTACT's text and the bytes of an IC file.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -26,7 +26,7 @@ IcTable body_table(const Material& material, int nx, int ny, double dx, double d
     return half_space_table(spec);
 }
 
-/// Dissimilar bodies: all nine components are there.
+/// Dissimilar bodies have all nine components.
 GivenIcs coupled_pair() {
     const int nx = 4, ny = 3;
     const double dx = 0.06, dy = 0.11;
@@ -47,7 +47,7 @@ std::vector<double> numbers_of(const std::string& line) {
     return numbers;
 }
 
-/// Line of the coefficients of (k, l), counting from 0.
+/// Returns the line of the coefficients of (k, l), counting from 0.
 std::size_t line_of(const GivenIcs& ics, int k, int l) {
     return static_cast<std::size_t>(4 + (l + ics.table.ny - 1) * (ics.table.nx + 2) + 2 + k);
 }
@@ -77,7 +77,7 @@ TEST_CASE("a line holds ix, x and the nine columns times G, z first", "[exchange
 
 TEST_CASE("the columns are those of a half-space pair in closed form, signs included", "[exchange]") {
     // Johnson, section 3.2: G u_z = (1 - nu) P / (2 pi rho) for each body; K of CONTACT is (1-2nu)/G of the upper body
-    // less that of the lower one, times G/4, and makes Czx = K / (pi x) far along x.
+    // minus that of the lower one, times G/4, and makes Czx = K / (pi x) far along x.
     const Material upper{200, 0.42}, lower{800, 0.1};
     const double G = combined_modulus({upper, lower});
     const int k = 30;

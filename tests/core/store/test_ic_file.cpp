@@ -8,7 +8,7 @@ using namespace contactd;
 
 namespace {
 
-/// A family of `size` tables with its evidence.
+/// Creates a family of `size` tables with its evidence.
 IcRecord family_of(IcSpec spec, int size) {
     spec.any_nu = true;
     spec.accuracy = 1e-3;
@@ -28,7 +28,7 @@ IcRecord family_of(IcSpec spec, int size) {
     return record;
 }
 
-/// A spec whose every field differs from its default.
+/// Creates a spec whose every field differs from its default.
 IcSpec unusual_spec() {
     IcSpec spec = fem_spec(4, 3);
     spec.dy = 0.5;

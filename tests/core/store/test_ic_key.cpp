@@ -84,7 +84,7 @@ TEST_CASE("The key of an accuracy knows nothing of a mesh, and of a block its si
     IcSpec spec = fem_spec(10, 10);
     spec.accuracy = 1e-3;
     IcSpec other = spec;
-    other.accuracy = 5e-3;  // served by the level below it
+    other.accuracy = 5e-3;  // the lower level serves it
     other.fem.order = 4;
     other.fem.L_over_h = 20;
     CHECK(ic_key(other) == ic_key(spec));

@@ -38,7 +38,7 @@ void flip_bit(const fs::path& path, std::streamoff at) {
 
 const std::string some_key(64, 'a');
 
-/// Four tables of the same size.
+/// Stores four tables of the same size.
 struct StoreOfFour {
     StoreOfFour() {
         for (const double f : {1.1, 1.2, 1.3, 1.4}) {
@@ -56,7 +56,7 @@ struct StoreOfFour {
     std::uintmax_t size = 0;
 };
 
-/// In the order in which they went.
+/// Lists removed tables in the order of removal.
 std::vector<std::string> evicted_keys(const IcStore& store, std::uintmax_t budget_bytes) {
     std::vector<std::string> keys;
     for (const StoredTable& table : store.evict(budget_bytes, {})) keys.push_back(table.key);
@@ -69,7 +69,7 @@ std::string content_of(const fs::path& path) {
     return content.str();
 }
 
-/// Changes what stands behind the header, and makes the digest right again.
+/// Changes the data after the header, and corrects the digest.
 void rewrite(const fs::path& path, const std::function<void(std::string&)>& change) {
     constexpr std::size_t header_size = 512, digest_size = 64;
     const std::string content = content_of(path);
@@ -126,7 +126,7 @@ TEST_CASE("A damaged table is set aside, reported and not served") {
     SECTION("a table of the format before") {
         rewrite(path, [](std::string& image) {
             const std::string name = "contactd_format";
-            // The value, 64 bits, stands behind the name, its type and its extent.
+            // The value, 64 bits, follows the name, its type and its extent.
             const std::size_t at = image.find(std::string("\2\0\0\0\0\0\0\0", 8), image.find(name));
             REQUIRE(at < image.find(name) + 100);
             image[at] = 1;
@@ -334,7 +334,7 @@ TEST_CASE("A use that is noted late does not undo a later one") {
 
 TEST_CASE("Times of use in the future are brought back in their order, and what is used afterwards counts as later") {
     const StoreOfFour four;
-    const auto ahead = GENERATE(fs::file_time_type{},  // the year 2174, from which an earlier version counted
+    const auto ahead = GENERATE(fs::file_time_type{},  // the year 2174, where an earlier version started to count
                                 fs::file_time_type::clock::now() + std::chrono::hours(1));
     for (const std::size_t n : {0, 1, 2, 3})
         fs::last_write_time(four.store.path_of(four.specs[n]), ahead - std::chrono::microseconds(n));

@@ -1,5 +1,5 @@
-// Keys of all kinds of tables, as they were when stores were first filled. A key that changes makes every store build
-// its tables again, so that ic_keys.json only ever grows.
+// Tests keys of all kinds of tables against recorded ones. A changed key makes every store build its tables again, so
+// ic_keys.json may only grow.
 #include <catch2/catch_test_macros.hpp>
 
 #include <fstream>

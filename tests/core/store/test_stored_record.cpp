@@ -20,8 +20,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Returns a record as a daemon exports it: with dimensions, and what the builder has made for G = 1 and strips of
-/// width 1.
+/// Returns a record as a daemon exports it: with dimensions, and the builder's results for G = 1 and strips of width 1.
 IcRecord exported_uniform() {
     IcSpec spec = fem_spec(3, 4);
     spec.body = BodyShape::longitudinally_uniform;
@@ -59,7 +58,7 @@ IcTable closed_form(IcSpec spec) {
     return half_space_table(spec);
 }
 
-/// The closed form as finite elements of one in a thousand would have it, with the errors that it has.
+/// Returns the closed form as if computed by finite elements with an error of 1e-3, including its evidence.
 IcRecord exported_half_space(int nx = 9, int ny = 7) {
     const IcSpec spec = steel(nx, ny);
     IcRecord record{spec, scaled(closed_form(spec), 1.001), {}};
@@ -68,7 +67,7 @@ IcRecord exported_half_space(int nx = 9, int ny = 7) {
     return record;
 }
 
-/// A block that differs from the half-space by a constant, as large blocks do.
+/// Returns a block that differs from the half-space by a constant, like large blocks.
 IcRecord exported_block() {
     IcSpec spec = steel(6, 6);
     spec.body = BodyShape::block;
@@ -92,7 +91,7 @@ IcRecord stored(IcRecord record) {
     return stored_record(std::move(record), Observer());
 }
 
-/// Returns the refusal of the record when `change` was made to it.
+/// Returns the refusal of the record after `change`.
 std::string refusal_of(IcRecord record, const std::function<void(IcRecord&)>& change) {
     change(record);
     try {
@@ -218,7 +217,8 @@ TEST_CASE("A block that is no block is refused", "[exchange]") {
 }
 
 TEST_CASE("Coefficients under which a traction takes work out of the body are refused", "[exchange]") {
-    // Each is near a half-space's, and largest at its origin; together they yield against loads of alternating sign.
+    // Each is similar to a half-space's, and largest at its origin; together they have negative energy for alternating
+    // loads.
     const auto alternating = [](IcRecord& record) {
         IcTable& table = record.table();
         const double change = 0.1 * table(Axis::z, Axis::z, 0, 0);

@@ -1,4 +1,4 @@
-// Stresses below point forces on the half-space, for tests (Johnson, Contact Mechanics, (3.19) and (3.76)).
+// Computes stresses below point forces on the half-space, for tests (Johnson, Contact Mechanics, (3.19) and (3.76)).
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace contactd::test {
 
-/// xx, yy, zz, xy, xz, yz at (x, y) and depth d below a unit force along an axis of the body z <= 0.
+/// Returns xx, yy, zz, xy, xz, yz at (x, y) and depth d below a unit force along an axis of the body z <= 0.
 inline std::array<double, 6> point_stress(Axis load, double x, double y, double d, double nu) {
     if (load == Axis::y) {
         auto s = point_stress(Axis::x, y, x, d, nu);
@@ -21,7 +21,7 @@ inline std::array<double, 6> point_stress(Axis load, double x, double y, double 
     const double R = std::hypot(x, y, d), R3 = R * R * R, R5 = R3 * R * R, rest = 1 - 2 * nu, c = R + d;
     const double unit = 0.5 / std::numbers::pi;
     std::array<double, 6> s{};
-    if (load == Axis::z) {  // Boussinesq, pressure 1 along the depth; a unit force along z is its opposite
+    if (load == Axis::z) {  // uses Boussinesq with pressure 1 along the depth; a unit force along z is its opposite
         const double r2 = x * x + y * y;
         s = {rest / r2 * ((1 - d / R) * (x * x - y * y) / r2 + d * y * y / R3) - 3 * d * x * x / R5,
              rest / r2 * ((1 - d / R) * (y * y - x * x) / r2 + d * x * x / R3) - 3 * d * y * y / R5,

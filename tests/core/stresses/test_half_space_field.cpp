@@ -1,4 +1,4 @@
-// Displacements inside the half-space.
+// Tests displacements inside the half-space.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -33,7 +33,7 @@ Vector moved(Vector point, std::size_t axis, double by) {
     return point;
 }
 
-// d/d(axis) by central differences, or downwards from the surface, of second order.
+// Returns d/d(axis) by central differences, or downwards from the surface, of second order.
 Vector derivative(const Field& u, const Vector& point, std::size_t axis, double step) {
     Vector result{};
     const bool at_surface = axis == 2 && point[2] == 0;
@@ -55,7 +55,7 @@ std::array<Vector, 3> stress(const Field& u, const Vector& point, double nu, dou
     return sigma;
 }
 
-// The load of `spec` made of loads that are `parts` times smaller.
+// Composes the load of `spec` from loads that are `parts` times smaller.
 Vector from_parts(const IcSpec& spec, Axis load, const Vector& point, int parts) {
     const bool is_bilinear = spec.load_shape == LoadShape::bilinear;
     IcSpec part = spec;
@@ -148,7 +148,7 @@ TEST_CASE("the surface beside the load is free of traction", "[half_space]") {
         }
 }
 
-// Over a hemisphere around the load, traction by the outward normal is what holds the load.
+// Over a hemisphere around the load, the tractions on the outward normal balance the load.
 TEST_CASE("the stresses inside carry a load of dx dy", "[half_space]") {
     const auto load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
     const double nu = 0.3, radius = 6;

@@ -1,4 +1,4 @@
-// Stresses below rows that are inclined.
+// Tests stresses below inclined rows.
 #include <array>
 #include <cmath>
 #include <random>

@@ -23,7 +23,7 @@ std::array<double, 6> stress_at(const SubsurfaceStress& s, std::size_t i) {
     return {s.xx[i], s.yy[i], s.zz[i], s.xy[i], s.xz[i], s.yz[i]};
 }
 
-// Unit traction on the only element.
+// Applies a unit traction on the only element.
 SurfaceTractions unit_traction(Axis load) {
     SurfaceTractions tractions;
     (load == Axis::x ? tractions.x : load == Axis::y ? tractions.y : tractions.z) = {1};
@@ -162,7 +162,7 @@ TEST_CASE("von Mises stress and its largest value are found", "[subsurface]") {
     const Grid grid = Grid::of_elements(1, 1, 1, 1);
     const StressBlock block{{0}, {0}, {0, -0.3, -0.6, -2}};
     const auto s = subsurface_stress(grid, {{}, {}, {-5}}, 0.3, block, observer);
-    for (std::size_t i = 0; i < 4; ++i)  // on the axis xx = yy and nothing is sheared
+    for (std::size_t i = 0; i < 4; ++i)  // on the axis xx = yy, without shear
         CHECK_THAT(s.von_mises[i], WithinRel(std::abs(s.xx[i] - s.zz[i]), 1e-12));
     CHECK(s.largest == 1);
     const auto sheared = subsurface_stress(grid, {{3}, {}, {}}, 0.3, std::vector<Point>{{0, 0, 0}}, observer);

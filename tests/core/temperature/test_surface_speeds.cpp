@@ -1,5 +1,5 @@
-// Surfaces that pass through the contact at speeds of their own: how they share the heat (Blok 1937), and the heat of
-// layers that flow.
+// Tests surfaces that pass through the contact at their own speeds: the partition of the heat (Blok 1937), and the heat
+// of layers that flow.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -25,8 +25,8 @@ constexpr double steel = 13.290033860;  // effusivity (N/(mm s^0.5 K))
 constexpr double velocity = 1e4, heat = 3e4;
 constexpr int nx = 32;
 
-/// Rows in contact from x = -4 to 4, with a uniform heat, each with its own slip of the upper body along x; no slip, no
-/// heat.
+/// Creates rows in contact from x = -4 to 4, with a uniform heat, each with its own slip of the upper body along x; no
+/// slip, no heat.
 TemperatureRequest rows_that_slip(const Values& slips) {
     TemperatureRequest request;
     request.grid = {nx, static_cast<int>(slips.size()), 0.5, 1, -11, -0.5};
@@ -54,7 +54,7 @@ SurfaceTemperatures found(const TemperatureRequest& request) {
     return surface_temperature(request, none);
 }
 
-/// Sum of effusivities times roots of speeds, where the upper surface slips by w in the direction of rolling.
+/// Returns the sum of effusivities times roots of speeds, if the upper surface slips by w in the rolling direction.
 double sum_of_roots(double upper, double lower, double w) {
     return upper * std::sqrt(velocity * (1 - w / 2)) + lower * std::sqrt(velocity * (1 + w / 2));
 }
@@ -102,7 +102,7 @@ TEST_CASE("Bodies of different heat and temperature meet by their speeds, too", 
 }
 
 TEST_CASE("A locked wheel gives its heat to the rail", "[temperature]") {
-    const SurfaceTemperatures answer = found(rows_that_slip({-2}));  // of the rail over the wheel
+    const SurfaceTemperatures answer = found(rows_that_slip({-2}));  // speed of the rail over that of the wheel
     CHECK_THAT(answer.temperature.heat_upper, WithinRel(heat * 8, 1e-5));
     CHECK(answer.temperature.heat_lower < 1e-5 * heat * 8);
     CHECK_THAT(answer.temperature.rise,

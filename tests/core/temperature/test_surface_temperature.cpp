@@ -1,4 +1,5 @@
-// Temperatures of surfaces of given tractions and slips, by closed forms (Ertz and Knothe 2002; Carslaw and Jaeger).
+// Tests temperatures of surfaces with given tractions and slips against closed forms (Ertz and Knothe 2002; Carslaw and
+// Jaeger).
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -23,8 +24,8 @@ using Heat = std::function<double(double x, double y)>;
 
 constexpr double steel = 13.290033860;  // effusivity (N/(mm s^0.5 K))
 
-/// Slip of 1 mm/s against a traction that makes this heat; in contact wherever there is some. Slip is across the rows,
-/// so that both surfaces pass through the contact at the rolling velocity.
+/// Uses a slip of 1 mm/s and a traction that produces this heat, in contact where there is heat. Slip is across the
+/// rows, so that both surfaces pass through the contact at the rolling velocity.
 TemperatureRequest request_of(const Grid& grid, double velocity, const Heat& heat) {
     TemperatureRequest request;
     request.grid = grid;
@@ -48,7 +49,7 @@ double unit_rise(double velocity, double both = 2 * steel) {
     return 1 / (both * std::sqrt(std::numbers::pi * velocity));
 }
 
-/// Leading edge at x = 4, contact 8 long, the grid twice that.
+/// The leading edge is at x = 4, the contact is 8 long, and the grid twice that.
 TemperatureRequest uniform_heat(double velocity = 2e4) {
     return request_of({32, 1, 0.5, 1, -12, -0.5}, velocity, [](double x, double) { return x > -4 ? 3e4 : 0; });
 }
@@ -124,7 +125,7 @@ TEST_CASE("Bodies of different temperature meet in between, and part again behin
         CHECK_THAT(answer.upper_temperature[static_cast<std::size_t>(i)], WithinRel(75 * share, 1e-12));
         CHECK_THAT(answer.lower_temperature[static_cast<std::size_t>(i)], WithinRel(150 - 75 * share, 1e-12));
     }
-    // Half of the difference is left where the contact is half as long as the distance from its leading edge, here a
+    // Half of the difference remains if the contact is half as long as the distance from its leading edge, here a
     // quarter of a millimetre beyond the centre of the last element.
     CHECK_THAT(answer.upper_temperature[0], WithinAbs(37.5, 0.7));
     CHECK_THAT(answer.lower_temperature[0], WithinAbs(112.5, 0.7));

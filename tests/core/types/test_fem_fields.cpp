@@ -16,7 +16,7 @@ using namespace contactd;
 
 namespace {
 
-/// A spec whose every member differs from its default.
+/// Creates a spec whose every member differs from its default.
 FemSpec unusual() {
     return {.mesh = MeshKind::prism,
             .order = 1,
@@ -43,7 +43,7 @@ FemSpec with(Value FemSpec::* member, Value value) {
     return fem;
 }
 
-/// Returns the field by whose own rule a spec is refused that is valid but for `change`.
+/// Returns the field whose own rule refuses a spec that is valid except for `change`.
 std::string broken_field(const auto& change) {
     IcSpec spec;
     spec.material = {1, 0.28};
@@ -62,7 +62,7 @@ std::string broken_field(const auto& change) {
 }  // namespace
 
 TEST_CASE("Every member of a FemSpec is a field") {
-    // Fails to compile when a member is added; then it belongs into the list, into unusual(), and into this line.
+    // Fails to compile when a member is added, which must then be added to the list, to unusual(), and to this line.
     const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = FemSpec{};
     CHECK(std::tuple_size_v<decltype(std::tie(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p))> ==
           std::tuple_size_v<decltype(fem_fields)>);

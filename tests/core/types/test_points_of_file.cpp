@@ -1,4 +1,4 @@
-// Profiles by the content of a file: what is said beside it, and what neither says.
+// Tests profiles by the content of a file: options, and properties that neither the file nor the options define.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -29,7 +29,7 @@ ProfileCurve exact(ProfileKind kind) {
         .curve;
 }
 
-/// Rows of S1002 or 60E1, y and z times these factors.
+/// Returns rows of S1002 or 60E1, y and z times these factors.
 std::string rows(ProfileKind kind, double y_factor = 1, double z_factor = 1) {
     const ProfileCurve curve = exact(kind);
     std::ostringstream text;
@@ -45,7 +45,7 @@ std::string simpack(ProfileKind kind, const std::string& keys, double factor = 1
            "point.end\nspline.end\n";
 }
 
-/// Tells whether the curve of a file is that of the formula, but for the shift.
+/// Checks whether the curve of a file equals that of the formula, except for the shift.
 void is_exact(const ProfileFile& file, ProfileKind kind) {
     const ProfileCurve curve = make_profile({kind, file}).curve, expected = exact(kind);
     for (const double y : {-25.0, -3.0, 10.0, 20.0})
@@ -116,7 +116,7 @@ TEST_CASE("a file whose unit nothing says is refused, and read in the unit that 
     with_unit.unit = unit;
     is_exact(with_unit, kind);
     CHECK(reading_of(with_unit, kind).unit == unit);
-    // Metres are what Simpack means without a word; somebody may know better.
+    // Simpack's default unit is the metre, but the caller may override it.
     const std::string name = kind == wheel ? "a.prw" : "a.prr";
     is_exact({.name = name, .text = simpack(kind, "", 1e-3)}, kind);
     refused({.name = name, .text = simpack(kind, "")}, kind, "profile.file", "give unit");
@@ -189,7 +189,7 @@ TEST_CASE("the points of a file make the same curve in its place", "[profile]") 
 }
 
 TEST_CASE("smoothing tells its cut-off, and keeps kinks by the rule that is given", "[profile]") {
-    // A roof of 45 degrees on both sides, with points at 0.1 mm: no other turn is near its ridge.
+    // Creates a roof of 45 degrees on both sides, with points at 0.1 mm and no other turn near its ridge.
     std::string roof;
     for (int i = -200; i <= 200; ++i) roof += std::to_string(0.1 * i) + " " + std::to_string(0.1 * std::abs(i)) + "\n";
     ProfileFile file{.name = "roof.txt", .text = roof, .mirror_z = false};
@@ -210,7 +210,7 @@ TEST_CASE("smoothing tells its cut-off, and keeps kinks by the rule that is give
     CHECK(evidence().kinks == std::vector<double>{0});
     CHECK_THAT(ridge().at(ridge().s_at_y(0)).z, WithinAbs(0, 1e-3));
     CHECK(evidence().largest_distance < 1e-3);
-    file.kinks.angle = 2;  // more than the turn of 90 degrees
+    file.kinks.angle = 2;  // larger than the turn of 90 degrees
     CHECK(evidence().kinks.empty());
     CHECK(ridge().at(ridge().s_at_y(0)).z > 0.1);
     CHECK(evidence().largest_distance > 0.1);

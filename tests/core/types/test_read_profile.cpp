@@ -1,4 +1,4 @@
-// Profiles from files: the formats, and files that are damaged.
+// Tests profiles from files: the formats, and damaged files.
 #include "contactd/read_profile.hpp"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ std::string simpack(const std::string& keys, const std::string& points, int type
            keys + " units.len = 'mm'\n point.begin\n ! y z\n" + points + " point.end\n spline.end\n";
 }
 
-/// S1002 and 60E1 in the four forms that files have.
+/// Creates S1002 and 60E1 in the four formats of files.
 std::string file_text(const std::string& ending) {
     const bool wheel = ending == "prw" || ending == "whl" || ending == "txt";
     const Profile profile = make_profile(wheel ? ProfileSpec{ProfileKind::wheel, S1002{}}

@@ -35,7 +35,7 @@ ContactProblem good_problem() {
     return problem;
 }
 
-/// The field that `check` complains about, or "" when it does not.
+/// Returns the field that `check` refuses, or "" if it refuses none.
 std::string field_refused(const std::function<void()>& check) {
     try {
         check();
@@ -97,7 +97,7 @@ TEST_CASE("A spec that cannot be built names its field") {
               s.fem.f = 1.01;
           }) == "ics");
     CHECK(refused([](IcSpec& s) { s.fem.L_over_h = 9; }) == "ics.L_over_h");  // the offsets reach 9 h
-    CHECK(refused([](IcSpec& s) {                                             // every nu has a mesh of its own
+    CHECK(refused([](IcSpec& s) {                                             // every nu has its own mesh
               s.fem.mesh = MeshKind::adaptive;
               s.any_nu = true;
           }) == "ics.any_nu");

@@ -1,4 +1,4 @@
-// Wear of contacts against closed forms: gross sliding, rows of an ellipse, Carter's line contact.
+// Tests wear of contacts against closed forms: gross sliding, rows of an ellipse, Carter's line contact.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -19,7 +19,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Two half-spaces of steel in an ellipse of 6 x 4 mm under 80 kN, on elements dx x 2/3 dx.
+/// Creates two half-spaces of steel in an ellipse of 6 x 4 mm under 80 kN, on elements dx x 2/3 dx.
 ContactProblem ellipse_problem(double dx, const Rolling& rolling) {
     ContactProblem problem;
     const double dy = dx * 2 / 3;
@@ -43,8 +43,8 @@ Rolling rolling_of(double xi, double eta = 0, double phi = 0) {
     return rolling;
 }
 
-/// A cylinder of radius 300 mm on a plane under 800 N/mm, n elements in 2.4 half-widths, at half the creepage of full
-/// slip.
+/// Creates a cylinder of radius 300 mm on a plane under 800 N/mm, n elements in 2.4 half-widths, at half the creepage
+/// of full slip.
 ContactProblem carter_problem(int n, double half_width, double xi) {
     constexpr double length = 10;
     ContactProblem problem;
@@ -139,9 +139,9 @@ TEST_CASE("A law that is linear in the energy wears off the same volume for all 
     problem.wear->laws = {energy_law(6.75e-4), usfd_mild_law(), br_mild_law(), zobory_mild_law()};
     const ContactWear wear = *solve_half_spaces(problem).wear;
     CHECK_THAT(area_of(wear, "energy"), WithinRel(6.75e-4 / 1000 * wear.T_gamma_with_spin, 1e-12));
-    // 1 ug/(m mm^2) of 1 mm of path is 1.274e-7 mm of steel.
+    // Wear of 1 ug/(m mm^2) over 1 mm of path removes 1.274e-7 mm of steel.
     CHECK_THAT(area_of(wear, "usfd"), WithinRel(5.3 * 1.2739e-7 * wear.T_gamma_with_spin, 1e-4));
-    // .25 mm^2/km a newton of a wheel of 1 mm are pi/4 1e-6 mm^2 a revolution.
+    // Wear of .25 mm^2/km per newton of a wheel of 1 mm removes pi/4 1e-6 mm^2 per revolution.
     CHECK_THAT(area_of(wear, "br"), WithinRel(0.25 * std::numbers::pi * 1e-6 * wear.T_gamma, 1e-12));
     CHECK_THAT(area_of(wear, "zobory"), WithinRel(7e-10 * 1e-3 / 7.85e-6 * wear.T_gamma_with_spin, 1e-12));
     for (const WearRow& row : wear.rows)
@@ -240,7 +240,7 @@ TEST_CASE("A law beyond its range is told, and none within") {
 }
 
 TEST_CASE("Elements that are too large for single rows are told of, with the cure, and none that are small") {
-    // Near adhesion a thin edge slips, of which large elements know little.
+    // Near adhesion a thin edge slips, which large elements do not resolve.
     const auto sentence = [](double dx) {
         for (const std::string& text : solve_half_spaces(ellipse_problem(dx, rolling_of(5e-4))).warnings)
             if (text.starts_with("The energy of the slip is ")) return text;

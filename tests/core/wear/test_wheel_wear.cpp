@@ -1,4 +1,4 @@
-// Wear of wheels on rails: the Manchester benchmark, rows in track coordinates, left wheels in the mirror.
+// Tests wear of wheels on rails: the Manchester benchmark, rows in track coordinates, mirrored left wheels.
 #include <cmath>
 #include <iterator>
 
@@ -18,7 +18,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// What was found before for the right wheel with elements of 0.2 mm: sums over elements, and the largest |t s|.
+/// Lists earlier results of the right wheel with elements of 0.2 mm: sums over elements, and the largest |t s|.
 struct WornCase {
     double y, pressure_slip, usfd, largest;
 };

@@ -1,4 +1,4 @@
-// Laws of wear for tests. Their coefficients are round numbers, or those of the functions' first papers.
+// Provides laws of wear for tests. Their coefficients are round numbers, or those of the original papers.
 #pragma once
 
 #include "contactd/wear.hpp"

@@ -1,5 +1,5 @@
-// Random wheels on rails at the borders of what is legal: profiles of a few points, next to nothing, far beyond what
-// wheels do. Each has an answer or a refusal, and a refusal names what was given.
+// Creates random wheels on rails at the limits of valid input: profiles of a few points, tiny and huge values. Each has
+// an answer or a refusal, and a refusal names an input.
 #pragma once
 
 #include <algorithm>
@@ -22,12 +22,12 @@ Value one_of(Dice& dice, const std::array<Value, count>& values) {
     return values[static_cast<std::size_t>(dice.integer(0, static_cast<int>(count) - 1))];
 }
 
-/// Zero or so small that products of it vanish, of both signs.
+/// Returns zero, or a number so small that products underflow, of both signs.
 inline double next_to_nothing(Dice& dice) {
     return one_of(dice, std::array{0.0, 5e-324, 1e-300, 1e-100, 1e-20, 1e-9}) * (dice.chance(0.5) ? 1 : -1);
 }
 
-/// A parabola with few points at random places, some of them off it.
+/// Creates a parabola with few points at random places, some of them off it.
 inline ProfileSpec few_points(Dice& dice, ProfileKind kind) {
     const double half = dice.log_uniform(1, 60), radius = dice.log_uniform(5, 1000);
     const double noise = dice.chance(0.5) ? 0 : dice.log_uniform(1e-3, 2), sign = kind == ProfileKind::rail ? 1 : -0.3;
@@ -81,7 +81,7 @@ inline WheelRailState borderline_state(Dice& dice, const WheelRailContact& conta
     return state;
 }
 
-/// Whether a set-up or a state has such a field; those of the problems of patches are nobody's.
+/// Returns whether a set-up or a state has such a field; fields of the problems of patches are not inputs.
 inline bool is_given(std::string_view field) {
     for (const std::string_view patch : {"friction.rolling", "friction.rigid", "friction.rotation", "friction.force"})
         if (field.starts_with(patch)) return false;
@@ -91,7 +91,7 @@ inline bool is_given(std::string_view field) {
     return false;
 }
 
-/// Tells whether all that is sent is finite: anything else would be an error of the program.
+/// Checks that all numbers of the answer are finite; others would be internal errors.
 inline bool is_finite(const WheelRailSolution& solution) {
     const auto fine = [](std::initializer_list<double> values) {
         return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
@@ -137,7 +137,7 @@ inline bool is_finite(const WheelRailSolution& solution) {
            wrench(forces.rail) && wrench(forces.wheelset);
 }
 
-/// Ends what goes on for long: searches at the borders of what is legal may.
+/// Ends long computations, because searches at the limits of valid input may take long.
 class Impatient final : public Observer {
    public:
     bool cancelled() const override { return ++looks_ > most; }
@@ -147,8 +147,7 @@ class Impatient final : public Observer {
     mutable int looks_ = 0;
 };
 
-/// Tells what is wrong with the result of a borderline wheel, which is an answer that can be sent or a refusal of what
-/// was given.
+/// Returns the errors in the result of a borderline wheel, which must be an encodable answer or a refusal of an input.
 inline std::string borderline_fault(std::uint64_t seed) {
     Dice dice(seed);
     Impatient observer;

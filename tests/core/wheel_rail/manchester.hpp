@@ -1,6 +1,6 @@
-// The Manchester contact benchmark, case: a wheelset with S1002 wheels on 60E1 rails at 1/40, as an established
-// program solves it (odd cases, four digits): Fz = 10 kN a wheel, G = 82000 N/mm^2, nu = 0.28, mu = 0.3, V = 2000 mm/s,
-// elements 0.2 x 0.2 mm.
+// Describes the Manchester contact benchmark, case: a wheelset with S1002 wheels on 60E1 rails at 1/40, with
+// results of an established program (odd cases, four digits): Fz = 10 kN per wheel, G = 82000 N/mm^2, nu = 0.28, mu =
+// 0.3, V = 2000 mm/s, elements 0.2 x 0.2 mm.
 #pragma once
 
 #include "contactd/error.hpp"
@@ -9,7 +9,7 @@
 
 namespace contactd::test {
 
-/// Units as in contactd; z is the height that Fz brings. Forces act on the rail, Fx and Fy in track coordinates.
+/// Units are those of contactd; z is the height for Fz. Forces act on the rail, Fx and Fy in track coordinates.
 struct ManchesterCase {
     Side side;
     int number;
@@ -26,7 +26,7 @@ inline WheelRailSetup manchester_setup(Side side, WheelSurfaceKind wheel_surface
     WheelRailSetup setup;
     setup.side = side;
     setup.wheel_surface = wheel_surface;
-    // The reference takes gauge and top on the straight lines between the points of its profile, 0.2 um beside ours.
+    // The reference takes gauge and top on the straight lines between the points of its profile, 0.2 um from ours.
     setup.track.rail_origin = ProfilePoint{760.532353, -0.000023};
     setup.friction->mu = {{0, 0.3}};
     return setup;

@@ -1,5 +1,4 @@
-// Random positions of wheels on rails, profiles as they come from measurements among them, and what every answer must
-// be.
+// Creates random positions of wheels on rails, including measured profiles, and checks properties of every answer.
 #pragma once
 
 #include <cmath>
@@ -29,7 +28,7 @@ inline ProfileSpec measured(Dice& dice, const ProfileSpec& profile) {
     return {profile.kind, points};
 }
 
-/// The rail's points, moved from slice to slice.
+/// Moves the rail's points from slice to slice.
 inline void slice(Dice& dice, WheelRailSetup& setup) {
     const ProfileCurve curve = make_profile(setup.rail).curve;
     setup.track.roller_radius.reset();
@@ -42,7 +41,7 @@ inline void slice(Dice& dice, WheelRailSetup& setup) {
     }
 }
 
-/// The wheel's points, lower or higher by up to half a millimetre from angle to angle: out of round, and flats.
+/// Changes the wheel's points by up to half a millimetre from angle to angle: out of round, and flats.
 inline void flatten(Dice& dice, WheelRailSetup& setup) {
     const ProfileCurve curve = make_profile(setup.wheel).curve;
     for (double angle = 0.1; angle < 6.2; angle += dice.uniform(0.2, 2)) {
@@ -60,7 +59,7 @@ inline RailSprings random_springs(Dice& dice) {
     return springs;
 }
 
-/// `dx` of the elements: the smallest.
+/// `dx` is the smallest of the elements.
 inline WheelRailSetup random_setup(Dice& dice, double dx) {
     WheelRailSetup setup;
     setup.side = dice.chance(0.5) ? Side::left : Side::right;
@@ -89,7 +88,8 @@ inline WheelRailSetup random_setup(Dice& dice, double dx) {
     return setup;
 }
 
-/// y up to 15 mm, roll and yaw up to 30 mrad; the height is prescribed around the first contact, or by the force.
+/// Chooses y up to 15 mm, roll and yaw up to 30 mrad. The height is prescribed near the first contact, or determined by
+/// the force.
 inline WheelRailState random_state(Dice& dice, const WheelRailContact& contact) {
     WheelRailState state;
     state.position = {dice.uniform(-15, 15), 0, dice.uniform(-0.03, 0.03), dice.uniform(-0.03, 0.03)};
@@ -116,7 +116,7 @@ inline WheelRailState random_state(Dice& dice, const WheelRailContact& contact) 
     return state;
 }
 
-/// Forces that tractions bring, in track coordinates.
+/// Sums forces of tractions, in track coordinates.
 inline Wrench summed_tractions(const WheelRailPatch& patch) {
     const ContactSolution& solution = patch.solution;
     const ContactPlace& place = patch.place;
@@ -133,7 +133,7 @@ inline Wrench summed_tractions(const WheelRailPatch& patch) {
     return sum;
 }
 
-/// Tells what is wrong with an answer; empty when nothing is.
+/// Returns the errors in an answer; empty if there are none.
 inline std::string wheel_rail_faults(const RandomWheelRail& problem, const WheelRailSolution& solution) {
     if (solution.patches.empty()) {
         if (problem.state.Fz && solution.warnings.empty()) return "no contact under a force, and no word about it";
@@ -150,7 +150,7 @@ inline std::string wheel_rail_faults(const RandomWheelRail& problem, const Wheel
         sum.Fz += part.Fz;
     }
     const Wrench& stated = solution.forces.track;
-    // On a rail that slopes along the track pressures have a part along it, which their sum on level planes has not.
+    // On a rail that slopes along the track, pressures have a component along it, unlike their sum on level planes.
     const bool slopes = problem.setup.track.roller_radius || !problem.setup.rail_slices.empty();
     const double off = std::hypot(slopes ? 0 : sum.Fx - stated.Fx, sum.Fy - stated.Fy, sum.Fz - stated.Fz);
     if (problem.setup.model == Model::full && !(off <= 1e-10 * std::hypot(stated.Fx, stated.Fy, stated.Fz)))

@@ -1,4 +1,4 @@
-// Wheels on rails at the borders of what is legal.
+// Tests wheels on rails at the limits of valid input.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <cmath>

@@ -31,7 +31,7 @@ WheelRailSetup half_millimetres(Model model = Model::full) {
     return setup;
 }
 
-/// Over steps so wide that a solver's tolerance does not matter.
+/// Uses steps so wide that a solver's tolerance does not matter.
 template <class Struct, class Number>
 Wrench long_difference(const WheelRailSetup& setup, WheelRailState state, Struct WheelRailState::* part,
                        Number Struct::* input, double step) {
@@ -67,7 +67,7 @@ TEST_CASE("Forces follow position and motion as their derivatives say") {
     const auto by_velocity = [&](double WheelsetVelocity::* input, double step) {
         return long_difference(setup, state, &WheelRailState::velocity, input, step);
     };
-    // Elements come into contact and leave it on the way: their derivatives are those of one division.
+    // Elements come into contact and leave it on the way, but their derivatives are those of one division.
     near(position.y, by_position(&WheelsetPosition::y, 0.02), 0.03);
     near(position.z, by_position(&WheelsetPosition::z, 5e-4), 0.03);
     near(position.roll, by_position(&WheelsetPosition::roll, 5e-7), 0.03);
@@ -88,7 +88,7 @@ TEST_CASE("A wheel that goes down presses as Hertz's theory says") {
     state.derivatives = true;
     const WheelRailSolution solution = solve(setup, state);
     REQUIRE(solution.derivatives);
-    // Fz goes with z to the power of 1.5.
+    // Fz is proportional to z to the power of 1.5.
     CHECK_THAT(solution.derivatives->position.z.Fz, WithinRel(1.5 * 60000 / solution.z, 0.01));
     CHECK_THAT(solution.derivatives->position.roll.Fz, WithinRel(750 * 1.5 * 60000 / solution.z, 0.01));
     CHECK(solution.derivatives->velocity.x == Wrench{});

@@ -1,4 +1,4 @@
-// Out-of-round wheels, on their rails.
+// Tests out-of-round wheels on their rails.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -23,7 +23,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi, R = 450;
 
-/// The cylinder on an arc, its radius R + radius(angle), by slices that lie `step` apart up to `to` on both sides.
+/// Creates the cylinder on an arc, with the radius R + radius(angle), by slices at distances of `step` up to `to` on
+/// both sides.
 WheelRailSetup out_of_round(const std::function<double(double)>& radius, double step, double to) {
     WheelRailSetup setup = cylinder_on_arc(300);
     const int most = static_cast<int>(std::lround(to / step));
@@ -36,7 +37,8 @@ WheelRailSetup out_of_round(const std::function<double(double)>& radius, double 
     return setup;
 }
 
-/// Returns the change of the radius R by an arc of another one through the lowest point, up to 0.2 rad; then it stays.
+/// Returns the change of the radius R by an arc of another radius through the lowest point, up to 0.2 rad, and constant
+/// beyond.
 double of_arc(double angle, double radius) {
     const double at = std::min(std::abs(angle), 0.2), centre = R - radius, aside = centre * std::sin(at);
     return centre * std::cos(at) + std::sqrt(radius * radius - aside * aside) - R;
@@ -81,7 +83,7 @@ TEST_CASE("The axle over a flat goes down by what its edge leaves") {
     for (const double share : {0.0, 0.3, -0.5, 0.8, 1.0, 1.7}) {
         const double pitch = share * edge, left = std::max(0.0, edge - std::abs(pitch));
         INFO("pitch " << pitch);
-        // The edges are rounded between two slices, by a fifth of what the radius does there.
+        // The edges are rounded between two slices, by a fifth of the change of the radius there.
         CHECK_THAT(first_contact_height(setup, pitch), WithinAbs(R * (1 - std::cos(left)), 0.014 * depth));
         CHECK_THAT(first_contact_height(setup, pitch + 2 * pi), WithinAbs(first_contact_height(setup, pitch), 1e-9));
     }
@@ -93,7 +95,7 @@ TEST_CASE("A wheel whose slices cover its flat alone is round elsewhere") {
     WheelRailSetup setup =
         out_of_round([=](double angle) { return -depth / 2 * (1 + std::cos(pi * angle / half)); }, half / 10, half);
     setup.wheel_spline = GENERATE(SliceSpline::shape_preserving, SliceSpline::cubic, SliceSpline::approximating);
-    // The last slice is a micrometre off, as measured ones are.
+    // The last slice deviates by a micrometre, as in measurements.
     if (GENERATE(true, false))
         for (ProfilePoint& point : std::get<ProfilePoints>(setup.wheel_slices.back().profile.shape).points)
             point.z += 1e-3;
@@ -114,7 +116,7 @@ TEST_CASE("On its flat a wheel presses over most of its length, and beside it as
     state.Fz = 60000;
     const WheelRailSolution on_flat = solve(setup, state);
     REQUIRE(on_flat.converged());
-    // From edge to edge, which rest on the rail.
+    // The flat rests on the rail with both edges.
     REQUIRE(on_flat.patches.size() == 1);
     const Extent x = on_flat.patches[0].place.regions[0].x;
     CHECK(x.to - x.from > 2 * R * std::sin(edge));
@@ -123,7 +125,7 @@ TEST_CASE("On its flat a wheel presses over most of its length, and beside it as
     const WheelRailSolution beside = solve(setup, state);
     const HertzContact known = hertz_of_force({R, 300}, setup.bodies.materials().normal_compliance(), 60000);
     CHECK_THAT(beside.patches.at(0).solution.pmax, WithinRel(known.pmax, 0.01));
-    // It presses hardest at the edges, and little between them.
+    // Pressures are highest at the edges, and small between them.
     const Grid& grid = on_flat.patches[0].place.grid;
     const std::vector<double>& pressure = on_flat.patches[0].solution.pressure;
     const auto hardest = std::max_element(pressure.begin(), pressure.end()) - pressure.begin();

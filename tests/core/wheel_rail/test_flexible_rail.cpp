@@ -20,7 +20,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// S1002 on 60E1, elements of half a millimetre.
+/// Uses S1002 on 60E1, with elements of half a millimetre.
 WheelRailSetup on_flexible_rail(std::optional<double> y, std::optional<double> z) {
     WheelRailSetup setup;
     setup.dx = setup.dy = 0.5;
@@ -28,7 +28,7 @@ WheelRailSetup on_flexible_rail(std::optional<double> y, std::optional<double> z
     return setup;
 }
 
-/// On its way across the track, under a force.
+/// Moves the wheel across the track, under a force.
 WheelRailState under_force(double y) {
     WheelRailState state;
     state.position = {y, 0, 0.0005, 0.008};
@@ -37,7 +37,7 @@ WheelRailState under_force(double y) {
     return state;
 }
 
-/// The wheel is at the height at which it presses so on a fixed rail.
+/// The wheel is at the height with the same force on a fixed rail.
 WheelRailState at_height(double y) {
     WheelRailState state = under_force(y);
     WheelRailSetup setup = on_flexible_rail({}, {});
@@ -128,7 +128,7 @@ TEST_CASE("A contact and a spring deflect in series") {
     state.position.z = known.approach + (Fn + load) / stiffness;
     state.derivatives = true;
     const WheelRailSolution solution = solve(setup, state);
-    // The ellipse that stands for the overlap is found on rows of elements.
+    // The ellipse that represents the overlap is found on rows of elements.
     CHECK_THAT(solution.forces.track.Fz, WithinRel(Fn, 2e-3));
     CHECK_THAT(solution.rail_deflection.value().z, WithinRel((solution.forces.track.Fz + load) / stiffness, 1e-6));
     const double of_contact = 1.5 * Fn / known.approach;
@@ -167,7 +167,7 @@ TEST_CASE("A soft rail that a flange pushes far aside is in balance") {
         const WheelRailState state = under_force(y);
         const WheelRailSolution solution = solve(setup, state);
         check_balance(setup, state, solution);
-        // The flange has a clearance of 6 mm or so, and the rail follows beyond that.
+        // The flange has a clearance of about 6 mm, beyond which the rail follows.
         CHECK(solution.rail_deflection->y > y - 7);
         CHECK(solution.rail_deflection->y < y - 4);
     }

@@ -1,4 +1,4 @@
-// A-2.2 of the Manchester contact benchmark, left and right wheel, against an established program.
+// Compares A-2.2 of the Manchester contact benchmark, left and right wheel, with an established program.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators_all.hpp>
@@ -15,22 +15,22 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-/// Tolerances of normal force and pressure are relative; those of tangential forces over mu Fn, of creepages over the
-/// largest rigid slip.
+/// Tolerances of normal force and pressure are relative, those of tangential forces divided by mu Fn, and those of
+/// creepages by the largest rigid slip.
 struct Tolerances {
     double Fn, tangential, creepage, pmax;
     int elements;
 };
 constexpr Tolerances exact{1e-3, 1e-3, 1e-3, 4e-3, 3};
-// The reference's own interpolation; what is left is its four digits, and that its rail is a file.
+// Uses the reference's own interpolation. The remaining differences are its four digits, and that its rail is a file.
 constexpr Tolerances bilinear{5e-4, 3e-4, 1e-4, 3e-4, 0};
 
-/// Half of the last of four digits.
+/// Is half of the last of four digits.
 double rounding(double value) {
     return value == 0 ? 0 : 0.5 * std::pow(10.0, std::floor(std::log10(std::abs(value))) - 3);
 }
 
-/// The largest of creepages, and of spin at the ends of the contact.
+/// Returns the larger of creepages and of spin at the ends of the contact.
 double largest_slip(const ManchesterCase& known, double reach) {
     return std::max({std::abs(known.xi), std::abs(known.eta), std::abs(known.phi) * reach});
 }
@@ -85,7 +85,7 @@ TEST_CASE("With the reference's own interpolation of the wheel what is left is a
     Tolerances tolerance = bilinear;
     // The reference's rail is a spline through points of a file, which differ by up to 3e-5 mm from these, and this one
     // has the jumps of curvature between its arcs. In case 1 the contact is wide, and its centre moves by 2e-3 mm; in
-    // case 3 the right contact lies on a jump; in case 11 its two regions weigh by micrometres.
+    // case 3 the right contact lies on a jump; in case 11 its two regions are weighted by micrometres.
     if (known.number == 1) tolerance.creepage = exact.creepage;
     if (known.side == Side::right && (known.number == 3 || known.number == 11)) tolerance = exact;
     check(solve(known, WheelSurfaceKind::bilinear), known, tolerance);

@@ -1,4 +1,4 @@
-// Wheels that climb on their flanges or roll on the ends of their treads, and states without a load.
+// Tests wheels that climb on their flanges or roll on the ends of their treads, and states without a load.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -25,7 +25,7 @@ std::string off_tread(const WheelRailSolution& solution) {
     return "";
 }
 
-/// The number behind a part of a sentence.
+/// Returns the number after a part of a sentence.
 double behind(const std::string& sentence, const std::string& text) {
     return std::stod(sentence.substr(sentence.find(text) + text.size()));
 }
@@ -43,7 +43,7 @@ TEST_CASE("A wheel that climbs on its flange is named with Fy/Fz and the height 
     // Without friction the force is normal to the contact.
     CHECK_THAT(behind(warning, "Fy/Fz = "),
                WithinRel(std::abs(std::tan(solution.patches[0].place.reference.angle)), 0.02));
-    // This is the height at which a wheel without a flange touches.
+    // A wheel without a flange touches at this height.
     ProfilePoints tread;
     const Profile whole = make_profile(setup.wheel);
     for (const ProfilePoint& point : whole.curve.points())
@@ -80,7 +80,7 @@ TEST_CASE("A state without a force and without a height is refused, and one with
     CHECK_THROWS_MATCHES(WheelRailContact(setup).solve(state, estimates, observer), InvalidArgument, refused);
     state.position.z = 0;
     CHECK(solve(setup, state).z == 0);
-    // A search for places without a load takes the wheel at z = 0.
+    // A search for contacts without a load uses the wheel at z = 0.
     state.position.z.reset();
     CHECK(WheelRailContact(setup).locate(state).z == 0);
 }

@@ -1,4 +1,4 @@
-// Coefficients of contacts between wheel and rail that know how these curve.
+// Tests coefficients of contacts between wheel and rail that consider their curvature.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -35,7 +35,7 @@ WheelRailSetup throat_on_rail(Conformal conformal) {
     return setup;
 }
 
-/// S1002 in the gauge corner of 60E1, where radii change along both.
+/// Uses S1002 in the gauge corner of 60E1, where radii change along both.
 WheelRailSetup in_the_corner(Conformal conformal) {
     WheelRailSetup setup;
     setup.dx = setup.dy = 0.4;
@@ -50,7 +50,7 @@ WheelRailState loaded(double y, double Fz) {
     return state;
 }
 
-/// The last patch that was asked for, with its strips.
+/// Stores the last requested patch, with its strips.
 struct Asked {
     ContactProblem problem;
     PatchStrips strips;
@@ -67,7 +67,7 @@ Asked asked_by(const WheelRailSetup& setup, const WheelRailState& state) {
     return last;
 }
 
-/// Largest difference of the displacements of both operators under random loads, over the largest one.
+/// Returns the largest difference between displacements of both operators under random loads, over the largest one.
 double difference(const ContactInfluence& a, const ContactInfluence& b, std::size_t size) {
     const Values px = random_values(size, 1, -1, 1), py = random_values(size, 2, -1, 1),
                  pz = random_values(size, 3, 0, 1);
@@ -103,7 +103,7 @@ TEST_CASE("On flat rows rotated half-spaces are half-spaces") {
     CHECK(difference(cache.of(problem, inclined), cache.of(problem), problem.grid.size()) > 1e-3);
 }
 
-// Blanco-Lorenzo's coefficients bring pmax down by one to three per cent from those of rows that lie flat.
+// Coefficients of Blanco-Lorenzo reduce pmax by one to three per cent compared with flat rows.
 TEST_CASE("In a conformal contact rotated half-spaces bear the force with a lower pressure") {
     const WheelRailSolution flat = solve(throat_on_rail(Conformal::half_space), loaded(0, 60000));
     const WheelRailSolution rotated = solve(throat_on_rail(Conformal::rotated), loaded(0, 60000));
@@ -175,7 +175,7 @@ TEST_CASE("A planar contact that bends too much says what would follow it") {
                ContainsSubstring("too strongly curved") && ContainsSubstring("Set conformal to rotated"));
 }
 
-// The rows of a wheel's contact are the strips of any contact; what differs is what the approach is counted along.
+// The rows of a wheel's contact are the strips of any contact, except for the direction of the approach.
 TEST_CASE("Rows of a wheel's contact are strips, on which contact is the same") {
     const WheelRailSolution wheel = solve(throat_on_rail(Conformal::half_space), loaded(0, 60000));
     const WheelRailPatch& patch = wheel.patches.at(0);
@@ -201,7 +201,7 @@ TEST_CASE("Rows of a wheel's contact are strips, on which contact is the same") 
 
 TEST_CASE("Strips of sections rotate as the rows do that lie on them") {
     const double y = GENERATE(0.0, 5.5, 6.5, 0.5);
-    const bool throat = y == 0.5;  // of profiles that have no section of their own
+    const bool throat = y == 0.5;  // for profiles without a section
     const Asked asked =
         asked_by(throat ? throat_on_rail(Conformal::fem) : in_the_corner(Conformal::fem), loaded(y, 60000));
     CHECK(std::holds_alternative<OutlineSection>(asked.strips.rail->spec.section->shape) == throat);
@@ -219,7 +219,7 @@ TEST_CASE("Strips of sections rotate as the rows do that lie on them") {
     };
     for (std::size_t i = 0; i < count; ++i) {
         INFO("row " << i << " of " << count << " at y = " << y);
-        // The mean of both; each is off by half a strip at most, which R13 turns by 0.015.
+        // Uses the mean of both; each deviates by at most half a strip, which R13 rotates by 0.015.
         const double of_rail_angle = on_rail(i).angle - on_rail(middle).angle;
         const double of_wheel_angle = on_wheel(i).angle - on_wheel(middle).angle;
         CHECK_THAT(-(rows[i].angle - rows[middle].angle), WithinAbs(0.5 * (of_rail_angle + of_wheel_angle), 0.035));
@@ -264,7 +264,7 @@ TEST_CASE("Tables of sections that know nothing but the rotation of surfaces are
     rows.wheel.reset();
     const ContactInfluence rotated = patch_influence(asked.problem, rows);
     CHECK(difference(sections, rotated, asked.problem.grid.size()) < 5e-3);
-    // The other way round, or the wrong strips, would be seen.
+    // The opposite order, or wrong strips, would be detected.
     std::reverse(rows.frames.begin(), rows.frames.end());
     CHECK(difference(sections, patch_influence(asked.problem, rows), asked.problem.grid.size()) > 1e-2);
 }
@@ -277,7 +277,7 @@ TEST_CASE("What sections can not do is refused") {
     setup.rail_slices = {{0, setup.rail}, {1000, setup.rail}};
     CHECK_THROWS_WITH(validate(setup), ContainsSubstring("conformal is fem, but the rail has slices"));
     setup = throat_on_rail(Conformal::fem);
-    setup.rail.shape = ArcProfile{of_rail, 0, -2.856, 2.856};  // half a strip less than its rows take, on both sides
+    setup.rail.shape = ArcProfile{of_rail, 0, -2.856, 2.856};  // half a strip less than its rows require, on both sides
     CHECK_THROWS_WITH(asked_by(setup, loaded(0, 60000)),
                       ContainsSubstring("reaches the end of the profile of the rail"));
 }

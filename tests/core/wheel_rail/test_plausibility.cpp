@@ -1,4 +1,4 @@
-// Set-ups that can be solved and that nobody means.
+// Tests warnings for set-ups that can be solved but are probably mistakes.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -19,7 +19,7 @@ ProfilePoints points_of(const ProfileSpec& profile) {
     return ProfilePoints{make_profile(profile).curve.points()};
 }
 
-/// The warnings of a solve under Fz, one behind the other.
+/// Returns the warnings of a solve under Fz, joined.
 std::string warnings_of(const WheelRailSetup& setup, double y = 0) {
     Observer observer;
     std::string all;

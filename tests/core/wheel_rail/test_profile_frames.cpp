@@ -1,4 +1,4 @@
-// The axes of both profiles in an answer.
+// Tests the axes of both profiles in an answer.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -1,4 +1,4 @@
-// Layers and friction with memory between a wheel and its rail.
+// Tests layers and friction with memory between a wheel and its rail.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -155,7 +155,7 @@ TEST_CASE("Friction by temperature at angles is that of the patch's angle, or of
     plain.temperature = law_at(laws, solution.patches.at(0).place.reference.angle);
     const WheelRailSolution one = solve(setup_of(plain), state);
     CHECK_THAT(solution.forces.track.Fx, WithinRel(one.forces.track.Fx, 1e-9));
-    // Rows of which all have one law are the contact with that law.
+    // If all rows have one law, the result is the contact with that law.
     alike.along_profile = rows.along_profile = true;
     alike.temperature_by_angle = {
         {-1, plain.temperature->change, plain.temperature->reference, plain.temperature->range},
@@ -167,7 +167,7 @@ TEST_CASE("Friction by temperature at angles is that of the patch's angle, or of
 
 namespace {
 
-/// A wheel that slips by 1.6 % under friction by temperature that is at `angles`.
+/// Creates a wheel that slips by 1.6 % with temperature-dependent friction at `angles`.
 WheelRailSetup warm_setup(const WheelRailFriction& friction) {
     WheelRailSetup setup = coarse_setup(friction);
     setup.temperature = ThermalBodies{};
@@ -241,7 +241,7 @@ TEST_CASE("Each row's coefficients follow the law of its angle with memory", "[t
                 const double mu = found.friction_coefficient[i],
                              traction = std::hypot(found.traction_x[i], found.traction_y[i]);
                 CHECK(traction <= mu * found.pressure[i] * (1 + 1e-5));
-                if (patch.place.rows.empty()) continue;  // whose angles are not told
+                if (patch.place.rows.empty()) continue;  // without stated angles
                 const bool slips = found.element_division[i] == ElementState::slip;
                 const double v = slips ? rolling.velocity * std::hypot(found.slip_x[i], found.slip_y[i]) : 0;
                 const double theta = memory.distance / (memory.distance + seconds * std::max(v, memory.least_velocity));

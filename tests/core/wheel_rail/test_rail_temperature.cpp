@@ -1,4 +1,5 @@
-// Temperatures of wheels and rails: each surface passes through the contact at its own speed, however slip is given.
+// Tests temperatures of wheels and rails: each surface passes through the contact at its own speed, for every kind of
+// slip.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -24,7 +25,7 @@ constexpr double steel = 13.290033860;  // effusivity (N/(mm s^0.5 K))
 constexpr double velocity = 20000, radius = 450, mu = 0.3, load = 40000;
 constexpr double of_band = 2.188306674;  // largest value of Hertz's strip (Carslaw and Jaeger, section 2.9)
 
-/// A cylinder on an arc, whose slip is that of a plane motion, of elements, or of the rows of a curved contact.
+/// Creates a cylinder on an arc, whose slip is that of a plane motion, of elements, or of the rows of a curved contact.
 WheelRailSetup hot(RigidSlipKind slip, Conformal conformal) {
     WheelRailSetup setup = cylinder_on_arc(300);
     setup.dx = setup.dy = 0.2;
@@ -35,7 +36,7 @@ WheelRailSetup hot(RigidSlipKind slip, Conformal conformal) {
     return setup;
 }
 
-/// A wheel whose rim is faster than the track by `slip` times its speed.
+/// Creates a wheel whose rim is faster than the track by `slip` times its speed.
 WheelRailState sliding(double slip, double forwards = velocity) {
     WheelRailState state;
     state.velocity.x = forwards;
@@ -55,7 +56,7 @@ ContactTemperature temperature_of(const WheelRailSetup& setup, const WheelRailSt
     return patch_of(setup, state).temperature.value();
 }
 
-/// Kinds of slip: of the plane, of rows, of elements, and of curved contacts.
+/// Lists kinds of slip: of the plane, of rows, of elements, and of curved contacts.
 std::pair<RigidSlipKind, Conformal> any_slip() {
     return GENERATE(std::pair(RigidSlipKind::plane, Conformal::off), std::pair(RigidSlipKind::surfaces, Conformal::off),
                     std::pair(RigidSlipKind::elements, Conformal::off),
@@ -114,7 +115,7 @@ TEST_CASE("The rail passes all rows at the speed of the contact, and the wheel b
         const double wheel = *solution.upper_speed + V * slip / pressure;
         fastest = std::max(fastest, wheel);
         slowest = std::min(slowest, wheel);
-        // From the leading edge on, of the heat of all elements ahead, by Blok's band sources.
+        // Sums the heat of all elements ahead from the leading edge on, by Blok's band sources.
         for (std::size_t ix = 0; ix < nx; ++ix) {
             const std::size_t i = row * nx + ix;
             if (!(solution.pressure[i] > 0)) continue;

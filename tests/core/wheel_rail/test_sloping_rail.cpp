@@ -1,4 +1,4 @@
-// Forces on rails that rise or fall along the track: statics, power, and what other conventions make of them.
+// Tests forces on rails that slope along the track: statics, power, and comparison with other conventions.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/generators/catch_generators_range.hpp>
@@ -27,7 +27,7 @@ ProfilePoints arc_at(double height, double lean) {
     return arc;
 }
 
-/// A round wheel on a rail that rises by `rise` over each length along the track.
+/// Creates a round wheel on a rail that rises by `rise` over each length along the track.
 WheelRailSetup uphill(double rise, double lean = 0, double cone = 0) {
     WheelRailSetup setup;
     setup.wheel.shape = ConeProfile{cone, -40, 40};
@@ -47,7 +47,7 @@ WheelRailState loaded() {
     return state;
 }
 
-/// Rolls up at `speed`, slipping by `creepage` at the rolling radius.
+/// Rolls upwards at `speed`, with `creepage` at the rolling radius.
 WheelRailState rolling_up(double rise, double creepage) {
     WheelRailState state = loaded();
     state.velocity.x = speed;
@@ -73,7 +73,7 @@ TEST_CASE("A rail that rises is pushed forwards, and the force goes through the 
     REQUIRE(solution.in_contact());
     CHECK_THAT(solution.forces.track.Fz, WithinRel(load, 1e-6));
     CHECK_THAT(solution.forces.track.Fx, WithinRel(rise * load, 1e-5));
-    // The wheel is deeper by the approach along the contact's plane than along the surface's normal.
+    // The penetration along the contact plane's direction exceeds that along the surface's normal.
     const double aside = solution.patches[0].place.approach * std::abs(rise);
     CHECK_THAT(solution.forces.wheelset.My, WithinAbs(0, aside * load));
     CHECK_THAT(solution.patches[0].forces.track.Fx, WithinRel(rise * load, 1e-5));
@@ -110,7 +110,7 @@ TEST_CASE("A rail on springs bears the slope of what it carries") {
     CHECK_THAT(solution.forces.track.Fx, WithinRel(0.01 * load, 1e-5));
 }
 
-// The normal of both surfaces goes through both axles.
+// The normal of both surfaces intersects both axles.
 TEST_CASE("A wheel ahead of a roller's top pushes it along the line between both axles") {
     constexpr double ahead = 20, of_roller = 600;
     WheelRailSetup setup = cylinder_on_arc(300);
@@ -138,7 +138,7 @@ TEST_CASE("What a wheel that rolls uphill puts into the contact is what friction
     const WheelRailSolution solution = solve(setup, state);
     REQUIRE(solution.frictional_power());
     const WheelRailPatch& patch = solution.patches.at(0);
-    // Creepages are taken on the wheel, deeper by the approach than where forces act, and level.
+    // Creepages refer to the wheel's surface, deeper by the approach than the point of the forces, and level.
     const double convention = 2.5 * patch.place.approach / radius + rise * rise;
     CHECK_THAT(power_into_contact(solution, state),
                WithinAbs(*solution.frictional_power(), convention * std::abs(patch.solution.forces.Fx) * speed));

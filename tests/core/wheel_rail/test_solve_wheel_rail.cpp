@@ -86,7 +86,7 @@ TEST_CASE("Pressures of virtual penetration carry a force on a rail, and stand n
     setup.normal_model = GENERATE(NormalModel::kp, NormalModel::kpec, NormalModel::analyn);
     setup.model = GENERATE(Model::full, Model::fastsim, Model::fastrip, Model::polach);
     const WheelRailSolution found = solve(setup, state);
-    // Forces of kpec jump by a few millionths where rows of elements enter its region, and no height brings those
+    // Forces of kpec jump by a few millionths where rows of elements enter its region, and no height has the forces in
     // between.
     CHECK_THAT(found.forces.track.Fz, WithinRel(80000, 1e-5));
     REQUIRE(found.patches.size() == elastic.patches.size());
@@ -162,7 +162,8 @@ TEST_CASE("Forces have the same moment in all coordinates") {
     setup.dx = setup.dy = 0.5;
     const WheelRailSolution solution = solve(setup, state);
     const Wrench &track = solution.forces.track, &wheelset = solution.forces.wheelset;
-    // About the axle's centre (0, y, z - r), by hand; the axes roll and yaw, which leaves the length.
+    // Computes the moment about the axle's centre (0, y, z - r) by hand; the axes roll and yaw, which preserves the
+    // length.
     const double y = state.position.y, z = solution.z - 460;
     const double Mx = track.Mx - (y * track.Fz - z * track.Fy), My = track.My - z * track.Fx,
                  Mz = track.Mz + y * track.Fx;
@@ -220,7 +221,7 @@ TEST_CASE("The search alone finds the contacts that a solve has, near the height
     const WheelRailContact contact(setup);
     Observer observer;
     const WheelRailSolution solution = contact.solve(state, observer);
-    // On a flange friction carries some of the force, which Hertz's theory does not know.
+    // On a flange friction carries some of the force, which Hertz's theory neglects.
     if (solution.patches.size() == 1 && std::abs(solution.patches[0].place.reference.angle) < 0.5)
         CHECK_THAT(contact.locate(state).z, WithinAbs(solution.z, 5e-3));
     state.Fz.reset();
@@ -230,7 +231,7 @@ TEST_CASE("The search alone finds the contacts that a solve has, near the height
     REQUIRE(geometry.places.size() == solution.patches.size());
     for (std::size_t i = 0; i < geometry.places.size(); ++i) {
         const ContactPlace &found = geometry.places[i], &solved = solution.patches[i].place;
-        // Under a force places are those of a height close by.
+        // Under a force, positions are those of an adjacent height.
         for (double ContactReference::* of : {&ContactReference::y, &ContactReference::z, &ContactReference::angle})
             CHECK_THAT(found.reference.*of, WithinAbs(solved.reference.*of, 1e-3));
         CHECK_THAT(found.approach, WithinRel(solved.approach, 0.1));
@@ -253,5 +254,5 @@ TEST_CASE("A contact of a few elements, which moves by one with each height, car
     CHECK(solution.converged());
     state.position.z = solution.z;
     state.Fz.reset();
-    CHECK_THAT(solve(setup, state).forces.track.Fz, WithinRel(0.01, 1e-3));  // which 1e-9 mm change as much
+    CHECK_THAT(solve(setup, state).forces.track.Fz, WithinRel(0.01, 1e-3));  // which 1e-9 mm change by the same amount
 }

@@ -37,13 +37,13 @@ WheelsetState wheelset_state(const ManchesterCase& known) {
 
 TEST_CASE("A wheelset that is free to roll has the roll of the Manchester benchmark") {
     const ManchesterCase& known = GENERATE(from_range(std::begin(manchester_cases), std::end(manchester_cases)));
-    if (known.side == Side::left) return;  // the roll is that of both
+    if (known.side == Side::left) return;  // both have the same roll
     Observer observer;
     const WheelsetSolution solution =
         solve_wheelset(wheel(Side::left), wheel(Side::right), wheelset_state(known), observer);
     INFO("case " << known.number);
     CHECK(solution.converged());
-    CHECK_THAT(solution.roll, WithinAbs(known.roll, 3e-6));  // a height off by 1e-3 mm is 1.3e-6 rad
+    CHECK_THAT(solution.roll, WithinAbs(known.roll, 3e-6));  // an error of 1e-3 mm in height is 1.3e-6 rad
     CHECK_THAT(solution.left.z, WithinAbs(solution.right.z, 1e-6));
     CHECK_THAT(solution.left.forces.track.Fz, WithinAbs(10000, 0.01));
     CHECK_THAT(solution.right.forces.track.Fz, WithinAbs(10000, 0.01));
@@ -79,7 +79,7 @@ TEST_CASE("The axle of unequal wheels leans towards the smaller one, as rigid on
     WheelsetOnTrack rigid = wheelset_on_track(curve(setup.wheel), curve(setup.rail), setup.track, setup.wheelset);
     rigid.left.nominal_radius = 459;
     CHECK_THAT(solution.roll, WithinRel(contacts_at(rigid, 0).roll, 5e-3));
-    CHECK_THAT(solution.left.z - solution.right.z, WithinAbs(-1, 1e-6));  // each against its own radius
+    CHECK_THAT(solution.left.z - solution.right.z, WithinAbs(-1, 1e-6));  // each relative to its own radius
     CHECK_THAT(solution.z, WithinAbs((solution.left.z + solution.right.z) / 2, 1e-12));
 }
 
@@ -153,7 +153,7 @@ TEST_CASE("A wheelset beside its track carries no load, and says so") {
     CHECK(std::isfinite(solution.z));
 }
 
-// By the established program: case 5, right wheel, -4.3442191 rad/s.
+// The established program computes -4.3442191 rad/s in case 5, right wheel.
 TEST_CASE("A wheelset that goes on from its last step has the answer of one from nothing, for fewer solves") {
     Observer observer;
     WheelsetEstimates estimates;

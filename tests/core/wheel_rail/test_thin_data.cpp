@@ -1,4 +1,4 @@
-// Profiles, slices and friction that were given at too few places for the contact that lies there.
+// Tests profiles, slices and friction with too few values for the contact.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -29,7 +29,7 @@ WheelRailSetup cylinder() {
     return setup;
 }
 
-/// Points of a curve about so far apart.
+/// Returns points of a curve at about this distance.
 ProfilePoints points_of(const ProfileSpec& profile, double apart) {
     const ProfileCurve curve = make_profile(profile).curve;
     ProfilePoints points;
@@ -38,7 +38,7 @@ ProfilePoints points_of(const ProfileSpec& profile, double apart) {
     return points;
 }
 
-/// A cylinder on an arc of 300 mm whose height varies along the track.
+/// Creates a cylinder on an arc of 300 mm whose height varies along the track.
 template <class Height>
 WheelRailSetup sliced(double apart, const Height& height) {
     WheelRailSetup setup = cylinder();
@@ -78,7 +78,7 @@ TEST_CASE("Slices between which a rail bends by more than the overlap are warned
     const auto wave = [](double length) {
         return [=](double x) { return std::cos(2 * std::numbers::pi * x / length); };
     };
-    // Between neighbours it bends by (2 pi/1000)^2 200^2/8 = 0.2 mm, and with slices at 20 mm by 0.002 mm.
+    // Between neighbours it curves by (2 pi/1000)^2 200^2/8 = 0.2 mm, and with slices at 20 mm by 0.002 mm.
     CHECK_THAT(thin_warnings(sliced(200, wave(1000))),
                ContainsSubstring("slices that are 200 mm apart, and the height of the rail"));
     CHECK(thin_warnings(sliced(20, wave(1000))) == "");
@@ -126,7 +126,8 @@ TEST_CASE("Laws of friction by temperature far apart are warned of where a conta
         state.velocity.pitch = -20e3 / 460;
         return thin_warnings(setup, state);
     };
-    // The coefficient falls by 0.2 at 300 degrees by the one, and not yet by the other, or as both do everywhere.
+    // The coefficient of one law falls by 0.2 at 300 degrees, that of the other does not yet; elsewhere both fall
+    // alike.
     CHECK_THAT(warnings({{-1.2, -0.2, 100, 200}, {0, -0.2, 300, 200}}),
                ContainsSubstring(
                    "between laws of temperature-dependent friction at -1.2 and 0 rad that differ by 0.2 at 300"));
@@ -146,7 +147,7 @@ TEST_CASE("Rows that take friction by their own angles are warned of by any of t
     REQUIRE(place.rows.size() > 8);
     const auto [least, largest] = std::minmax(place.rows.front().angle, place.rows.back().angle);
     const double middle = 0.5 * (place.rows[place.rows.size() / 2].angle + least);
-    // The middle lies in the dense part of the table, the steepest rows do not.
+    // The middle lies in the dense part of the table, but the steepest rows do not.
     setup.friction->mu = {{least - 0.4, 0.1}, {middle, 0.5}, {largest + 0.01, 0.5}};
     CHECK(thin_warnings(setup, state) == "");
     setup.friction->along_profile = true;

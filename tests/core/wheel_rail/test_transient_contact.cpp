@@ -1,4 +1,4 @@
-// Steps of a wheel on its rail that go on from the tractions of the step before.
+// Tests steps of a wheel on its rail that continue from the tractions of the previous step.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -44,7 +44,7 @@ WheelRailState shift_by(double x, double y) {
     return state;
 }
 
-/// Steady rolling of a patch, on its elements.
+/// Solves steady rolling of a patch, on its elements.
 ContactProblem steady_problem(const WheelRailSetup& setup, const WheelRailPatch& patch) {
     const Creepages& creepages = patch.place.creepages;
     ContactProblem problem;
@@ -122,7 +122,7 @@ TEST_CASE("A step without motion changes nothing") {
     REQUIRE(std::abs(shifted.forces.track.Fy) > 100);
     const WheelRailSolution still = contact.solve(shift_by(0, 0), left, observer);
     CHECK(largest_change(shifted, still) < 1e-6);
-    // Nor does a wheel that rolls and stands.
+    // The same applies to a wheel that rolls and stops.
     WheelRailState standing = shift_by(0, 0);
     standing.motion = WheelRailMotion::transient_rolling;
     CHECK(largest_change(shifted, contact.solve(standing, left, observer)) < 1e-6);

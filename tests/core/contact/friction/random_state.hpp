@@ -1,5 +1,5 @@
-// Random contact problems with a layer between the bodies or with friction that has memory, and the equations of both
-// checked on the answers from outside.
+// Creates random contact problems with a layer between the bodies or with friction memory, and checks the equations of
+// both on the answers.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace contactd::test {
 
-/// Values at the place one step ahead of each element, between centres; `entering` beyond the grid.
+/// Returns values one step ahead of each element, interpolated between centres; `entering` beyond the grid.
 inline Values ahead(const ContactProblem& problem, const Values& values, double entering) {
     const Grid& grid = problem.grid;
     const auto [step_x, step_y] = step_of(problem);
@@ -37,14 +37,15 @@ inline bool is_steady(const ContactProblem& problem) {
     return rolling != nullptr && rolling->steady();
 }
 
-/// What particles bring to the elements, of a state that is `now` behind the last step and was `before`.
+/// Returns the state that particles carry to the elements, for a state that is `now` after the last step and was
+/// `before`.
 inline Values brought(const ContactProblem& problem, const Values& now, Values before, double entering) {
     before.resize(now.size(), entering);
     if (std::holds_alternative<Shift>(problem.motion)) return before;
     return ahead(problem, is_steady(problem) ? now : before, entering);
 }
 
-/// Tractions that particles bring; those that enter during the step bring those of where they enter.
+/// Returns tractions carried by particles. Those that enter during the step carry the tractions of their entry.
 inline Values brought_tractions(const ContactProblem& problem, const ContactSolution& solution, const Values& now,
                                 Values before) {
     before.resize(now.size());
@@ -56,7 +57,7 @@ inline Values brought_tractions(const ContactProblem& problem, const ContactSolu
     return result;
 }
 
-/// A problem of random_contact that has friction without a slip law, whose motion goes along an axis.
+/// Creates a problem of random_contact with friction but without a slip law, with a motion along an axis.
 inline std::optional<ContactProblem> random_state(std::uint64_t seed, int largest_size) {
     ContactProblem problem = random_contact(seed, largest_size);
     if (!problem.friction || problem.friction->kinetic || problem.friction->mu.size() > 1) return {};
@@ -74,7 +75,7 @@ inline std::optional<ContactProblem> random_state(std::uint64_t seed, int larges
         InterfacialLayer layer;
         if (dice.chance(0.7)) layer.flexibility = slip / g * dice.log_uniform(0.03, 3);
         if (dice.chance(0.8)) {
-            // Forces that friction carries must be carried by a layer that does not harden, too.
+            // A layer without hardening must carry all forces that friction carries.
             const bool may_stay = !forces;
             layer.yield_stress = g * dice.uniform(0.1, 0.9);
             const double own = g / slip;  // the bodies' stiffness, about
@@ -109,7 +110,7 @@ inline std::optional<ContactProblem> random_state(std::uint64_t seed, int larges
     return problem;
 }
 
-/// As contact_faults, of what is tangential.
+/// Checks the tangential part of contact_faults.
 inline std::string state_faults(const ContactProblem& problem, const ContactSolution& solution, double accuracy) {
     const FrictionLaw& friction = *problem.friction;
     const InterfacialLayer layer = friction.layer.value_or(InterfacialLayer{});

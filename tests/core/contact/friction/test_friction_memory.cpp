@@ -1,4 +1,5 @@
-// Friction with two terms and with memory: values that another program of the same equations found, and closed forms.
+// Tests friction with two terms and with memory against values of another program for the same equations, and closed
+// forms.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -125,7 +126,7 @@ TEST_CASE("transient rolling with memory ends as steady rolling", "[friction_mem
 }
 
 TEST_CASE("an element that shifts on follows the law over the distance it slips", "[friction_memory]") {
-    // mu(k) = mu_inf + (mu_0 - mu_inf) exp(-slipped/d), first order in the step.
+    // Uses mu(k) = mu_inf + (mu_0 - mu_inf) exp(-slipped/d), to first order in the step.
     ContactProblem problem;
     problem.grid = Grid::of_elements(1, 1, 1, 1);
     const Material stiff{1e12, 0.28};

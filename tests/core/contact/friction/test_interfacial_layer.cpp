@@ -1,4 +1,4 @@
-// A layer between the bodies: values that were found by another program of equations 1 of docs/friction.md, and closed
+// Tests a layer between the bodies against values of another program for equations 1 of docs/friction.md, and closed
 // forms.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -120,7 +120,7 @@ TEST_CASE("transient rolling of a row with a layer that hardens goes as given", 
 }
 
 TEST_CASE("an element of a layer follows its own law", "[interfacial_layer]") {
-    // One element of 1 x 1 mm between steel: values of published programs in four digits.
+    // Uses one element of 1 x 1 mm between steel bodies; values of published programs have four digits.
     struct Given {
         InterfacialLayer layer;
         std::vector<std::pair<double, double>> steps;
@@ -162,7 +162,8 @@ TEST_CASE("wheels on rails with a layer that only flows have the published force
 }
 
 TEST_CASE("between stiff bodies a layer is a brush", "[interfacial_layer]") {
-    // Bodies that hardly yield touch nowhere of size: pressures are given by a sheet and a gap of their own shape.
+    // Bodies of almost no compliance touch at points only, so a sheet and a gap of the same shape prescribe the
+    // pressures.
     const double L = 1e-3, k = GENERATE(0.5, 1.0);
     const int n = 100;
     ContactProblem problem;
@@ -188,7 +189,7 @@ TEST_CASE("between stiff bodies a layer is a brush", "[interfacial_layer]") {
 TEST_CASE("without hardening flow is friction with a smaller bound", "[interfacial_layer]") {
     ContactProblem problem = rolling_steel({0, 120, 0});
     const ContactSolution flowing = solved(problem);
-    // Coefficients of the elements make the same bound.
+    // Coefficients of the elements result in the same bound.
     problem.friction->layer.reset();
     problem.friction->mu.assign(problem.grid.size(), 0.35);
     for (std::size_t i = 0; i < problem.grid.size(); ++i)
@@ -225,7 +226,7 @@ TEST_CASE("a layer that hardens looks the same from both sides", "[interfacial_l
     CHECK_THAT(back.forces.Fx, WithinRel(-right.forces.Fx, 1e-8));
 }
 
-// Elements that slip where all of a row flows in the end begin to flow together, not one an iteration.
+// If all elements of a row flow in the end, elements in slip begin to flow together, not one per iteration.
 TEST_CASE("a layer that hardens takes no more iterations on many elements than on few", "[interfacial_layer]") {
     const auto forces_of = [](int n) {
         ContactProblem problem =

@@ -9,7 +9,7 @@
 namespace contactd::test {
 namespace {
 
-// A row of long elements under 622 kN, the first of the published cases of friction that falls with slip.
+// Creates a row of long elements under 622 kN, the first of the published cases of slip-weakening friction.
 ContactProblem falling_row() {
     ContactProblem problem;
     problem.grid = {92, 1, 0.1, 200, -4.65, -100};

@@ -1,4 +1,4 @@
-// Random problems of bodies that creep as they roll, alike and dissimilar, checked as all random contact problems are.
+// Creates random problems of viscoelastic bodies, equal and dissimilar, checked like all random contact problems.
 #pragma once
 
 #include <numbers>
@@ -7,7 +7,7 @@
 
 namespace contactd::test {
 
-/// f from 0.1 to 10, and what the bodies roll in the time tau from 1e-3 to 1e3 half-lengths of the contact.
+/// f ranges from 0.1 to 10, and the distance rolled in the time tau from 1e-3 to 1e3 half-lengths of the contact.
 inline ContactProblem random_viscoelastic(std::uint64_t seed, int largest_size) {
     Dice dice(seed + 78'000'000);
     ContactProblem problem;
@@ -33,7 +33,7 @@ inline ContactProblem random_viscoelastic(std::uint64_t seed, int largest_size) 
     rolling.xi = size / length * std::cos(angle);
     rolling.eta = size / length * std::sin(angle);
     if (dice.chance(0.4)) rolling.phi = size / length / length * dice.uniform(-1, 1);
-    // Creep takes force away where the approach is given.
+    // Creep reduces the force at a prescribed approach.
     if (dice.chance(0.3) && largest > 0 && problem.Fn) prescribe_force(dice, largest, rolling.force);
     rolling.velocity = dice.log_uniform(1, 1e5);
     problem.friction = friction;

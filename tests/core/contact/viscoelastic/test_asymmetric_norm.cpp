@@ -1,4 +1,4 @@
-// Normal contact of operators that are not symmetric: matrices that have little to do with bodies.
+// Tests normal contact of operators that are not symmetric, with matrices unlike those of bodies.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -15,7 +15,7 @@ using namespace contactd::test;
 
 namespace {
 
-/// A symmetric part that is positive definite, and a skew-symmetric one.
+/// Has a positive definite symmetric part, and a skew-symmetric part.
 class SkewOperator final : public InfluenceOperator {
    public:
     SkewOperator(std::size_t n, double skewness, Dice& dice) : n_(n), a_(n * n) {

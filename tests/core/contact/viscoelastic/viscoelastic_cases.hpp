@@ -1,4 +1,4 @@
-// Cylinders of the standard linear solid, with what other programs answer of them, and random problems of such bodies.
+// Creates cylinders of the standard linear solid, with results of other programs, and random problems of such bodies.
 #pragma once
 
 #include <limits>
@@ -7,7 +7,7 @@
 
 namespace contactd::test {
 
-/// Two cylinders alike, combined radius 50 mm, 600 N/mm, that brake with 0.6 of what friction holds.
+/// Creates two equal cylinders, combined radius 50 mm, 600 N/mm, that brake with 0.6 of the friction limit.
 inline ContactProblem cylinders(const Material& material, double f, double tau) {
     ContactProblem problem;
     problem.grid = {99, 1, 0.16, 1000, -8, -500};
@@ -24,7 +24,7 @@ inline ContactProblem nylon_cylinders(double tau, double f = 1) {
     return cylinders({1143, 0.4}, f, tau);
 }
 
-/// Two bodies of the ball-on-plane kind that creep, under a force.
+/// Creates two viscoelastic bodies, a ball on a plane, under a force.
 inline ContactProblem spheres(int n, double f, double tau, double velocity = 1000) {
     ContactProblem problem;
     problem.grid = Grid::of_elements(n, n, 16.0 / n, 16.0 / n);

@@ -1,5 +1,5 @@
-// Random cross-sections, and contacts on them: ready-made shapes and outlines of lines, arcs, splines and holes, loads
-// and motions of every kind, with all contact conditions checked by dense sums.
+// Creates random cross-sections, and contacts on them: ready-made shapes and outlines of lines, arcs, splines and
+// holes, with loads and motions of every kind. Dense sums check all contact conditions.
 #pragma once
 
 #include <cstdint>
@@ -30,8 +30,8 @@ inline Outline round_hole(const SectionPoint& centre, double radius) {
     return {right, {{ArcTo{left, -radius}}, {ArcTo{right, -radius}}}};
 }
 
-/// A block whose top is a line, an arc or a spline, with sides that lean and perhaps a hole; clamped below. Strips of
-/// `length` together lie on its top, or in the hole. Some cannot be.
+/// Creates a block whose top is a line, an arc or a spline, with inclined sides and perhaps a hole, clamped below.
+/// Strips with the total `length` lie on its top or in the hole. Some of them are invalid.
 inline OutlineSection random_outline(Dice& dice, double length) {
     const double half = length * dice.uniform(0.55, 3), height = length * dice.log_uniform(0.4, 8);
     const SectionPoint left{-half, 0}, right{half, dice.chance(0.5) ? 0 : 0.2 * height * dice.uniform(-1, 1)};
@@ -118,11 +118,11 @@ inline Section random_section(Dice& dice, double length) {
     return section;
 }
 
-/// A contact on a random section, whose coefficients are built; `refused` says why where that cannot be.
+/// Holds a contact on a random section with its coefficients, or in `refused` the reason for a refusal.
 struct SectionContact {
     ContactProblem problem;
     BodyTable upper, lower;
-    StripTable pair;  ///< of both bodies, for the check
+    StripTable pair;  ///< tables of both bodies, for the check
     std::string refused{};
 };
 
@@ -130,7 +130,7 @@ inline IcSpec spec_of(const Body& body, const Grid& grid, int nx) {
     return {std::get<Ics>(body.ics), body.material, grid.dx, grid.dy, nx, grid.ny};
 }
 
-/// On a rigid body, on the half-space of the body's own material or of another one, which the upper one is then.
+/// Places it on a rigid body, or on the half-space of the same or another material, which is then the upper one.
 inline void add_bodies(Dice& dice, const Section& section, SectionContact& contact) {
     constexpr int more = 3;  // offsets, for rolling
     ContactProblem& problem = contact.problem;
@@ -156,7 +156,7 @@ inline void add_bodies(Dice& dice, const Section& section, SectionContact& conta
     contact.pair = pair_of(strip_table_of(std::get<IcTable>(contact.upper)), table);
 }
 
-/// Along x alone, by whole elements where it rolls; forces along x only.
+/// Moves along x only, by whole elements in rolling, with forces along x only.
 inline void add_motion(Dice& dice, const ContactSolution& normal, ContactProblem& problem) {
     const double mu = dice.uniform(0.05, 0.6), angle = dice.uniform(0, 6.3);
     problem.friction = FrictionLaw{{mu}};
@@ -184,7 +184,7 @@ inline ContactSolution solve(const SectionContact& contact) {
     return solve_contact(contact.problem, make_influence(contact.problem, contact.upper, contact.lower), observer);
 }
 
-/// Where `refused` is empty there is a problem to solve.
+/// There is a problem to solve if `refused` is empty.
 inline SectionContact random_section_contact(std::uint64_t seed) {
     Dice dice(seed + 55'000'000);
     SectionContact contact;
@@ -230,7 +230,7 @@ inline SectionContact random_section_contact(std::uint64_t seed) {
     return contact;
 }
 
-/// Tells what is wrong with its solution; empty when nothing is.
+/// Returns the errors of its solution; empty if there are none.
 inline std::string section_faults(const SectionContact& contact, const ContactSolution& solution) {
     if (!solution.converged()) return "not converged";
     // Products change no coefficient by more than a thousandth of the accuracy of tables.

@@ -1,4 +1,4 @@
-// Outlines of the reference values (reference-sections), lengths over ds.
+// Creates outlines of the reference values (reference-sections), with lengths divided by ds.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace contactd::fem {
 
-/// -width <= y <= 0, -height <= z <= 0, clamped below and at the left.
+/// Returns -width <= y <= 0, -height <= z <= 0, clamped below and at the left.
 inline SectionOutline edge_block(double width, double height, double edge_distance, int strips) {
     const OutlineLoop loop{straight({-width, 0}, {0, 0}), straight({0, 0}, {0, -height}),
                            straight({0, -height}, {-width, -height}, true),
@@ -16,7 +16,7 @@ inline SectionOutline edge_block(double width, double height, double edge_distan
     return {{loop}, 0, width - edge_distance - strips, strips};
 }
 
-/// |y| <= width, -height <= z <= 0, free on top only.
+/// Returns |y| <= width, -height <= z <= 0, free on top only.
 inline SectionOutline slab(double width, double height, int strips) {
     const OutlineLoop loop{straight({-width, 0}, {width, 0}), straight({width, 0}, {width, -height}, true),
                            straight({width, -height}, {-width, -height}, true),
@@ -35,7 +35,7 @@ inline SectionOutline groove(double radius, double width, double height, int str
     return {{loop}, 0, width - radius + pi * radius / 2 - strips / 2.0, strips};
 }
 
-/// Half a circle below a slab that is clamped above; strips from +y to -y.
+/// Returns half a circle below a slab that is clamped above, with strips from +y to -y.
 inline SectionOutline round_end(double radius, double height, int strips) {
     using std::numbers::pi;
     const OutlineLoop loop{arc({0, 0}, radius, 0, -pi), straight({-radius, 0}, {-radius, height}),
@@ -44,7 +44,7 @@ inline SectionOutline round_end(double radius, double height, int strips) {
     return {{loop}, 0, pi * radius / 2 - strips / 2.0, strips};
 }
 
-/// The whole circle of strips; nothing is clamped without a core.
+/// Returns the whole circle of strips; nothing is clamped without a core.
 inline SectionOutline disc(int strips, double core) {
     using std::numbers::pi;
     const double radius = strips / (2 * pi);

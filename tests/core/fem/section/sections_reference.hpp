@@ -1,5 +1,5 @@
-// Coefficients of sections by a prototype of another make, which states its own errors, and of bonded layers in closed
-// form, all with their rows: steel-like bodies of nu = 0.28, G = 1, strips and elements of 0.5 mm.
+// Lists coefficients of sections by a separate prototype, with its own error estimates, and of bonded layers in closed
+// form. Bodies are like steel, with nu = 0.28, G = 1, and strips and elements of 0.5 mm.
 #pragma once
 
 #include <string>
@@ -13,10 +13,11 @@
 namespace contactd::fem::reference_sections {
 
 inline constexpr double ds = 0.5, nu = 0.28;
-/// zz of the half-space under an element.
+/// Is zz of the half-space under an element.
 inline constexpr double self = 0.2019960;
 
-/// Between the strips I, observed, and J, k elements apart along x: z is the normal, y along the outline.
+/// Holds coefficients between the observed strip I and the loaded strip J, k elements apart along x: z is the normal, y
+/// along the outline.
 struct Entry {
     int I, J, k;
     double zz, xx, yy, zy, yz, xz;
@@ -24,7 +25,7 @@ struct Entry {
 struct Case {
     std::string name;
     SectionOutline outline;  ///< lengths over ds
-    double own_error;        ///< of the reference, over `self`
+    double own_error;        ///< error of the reference, over `self`
     std::vector<Entry> entries;
 };
 
@@ -33,7 +34,7 @@ inline SectionOutline rail_head() {
         geometry::SectionGeometry(scaled({RailSection{0, RailSupport::cut, 2}}, 1 / ds), 80, 1, "section"));
 }
 
-/// Coefficients were observed at midpoints and not made symmetric.
+/// Coefficients are observed at midpoints and not symmetrised.
 inline std::vector<Case> cases() {
     return {{"edge at half a strip",
              edge_block(200, 100, 0.5, 20),
@@ -153,7 +154,7 @@ inline std::vector<Case> cases() {
               {10, 30, 20, -0.017496, 0.006312, 0.108584, -0.049049, 0.049048, -0.000605}}}};
 }
 
-/// Bonded to a rigid base, exact: an element k along x and l along y away.
+/// Lists exact coefficients of a layer bonded to a rigid base, at an element k along x and l along y away.
 struct LayerEntry {
     int k, l;
     double zz, xx, yy;

@@ -1,4 +1,4 @@
-// A cylinder in a hole of nearly its own radius, both of finite elements, against Persson's closed form.
+// Compares a cylinder in a hole of nearly its own radius, both by finite elements, with Persson's closed form.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -24,9 +24,9 @@ namespace {
 constexpr double nu = 0.28, degree = pi / 180, radius = 1 / degree;  // strips of one degree, lengths over their width
 constexpr int strips = 168;
 
-/// Persson's solution for identical cylinders under the force Q a length, in contact over +-half_angle (A. Persson, On
-/// the stress distribution of cylindrical elastic bodies in contact, 1964): E'(R2 - R1)/Q with E' = 2 G/(1 - nu), and
-/// pressures.
+/// Evaluates Persson's solution for identical cylinders under the force Q per length, in contact over +-half_angle (A.
+/// Persson, On the stress distribution of cylindrical elastic bodies in contact, 1964): E'(R2 - R1)/Q with E' = 2 G/(1
+/// - nu), and pressures.
 class Persson {
    public:
     explicit Persson(double half_angle) : b_(std::tan(half_angle / 2)), b2_(b_ * b_) {}
@@ -43,7 +43,7 @@ class Persson {
     double b_, b2_;
 };
 
-/// Strips of a section of unit material, as long along x as one likes: their plane strain.
+/// Sums long strips of a section of unit material, which are in plane strain.
 struct PlaneSection {
     StripTable table{1, strips};
     std::vector<StripFrame> frames;
@@ -67,11 +67,11 @@ struct PlaneSection {
     }
 };
 
-/// Where the pressure ends: its square falls linearly there.
+/// Finds the end of the pressure, where its square decreases linearly.
 double half_angle_of(const ContactSolution& solution, const std::vector<StripFrame>& frames) {
     std::size_t last = frames.size() - 1;
     while (solution.pressure[last] == 0) --last;
-    // Not the last strip itself, which the contact may cover in part.
+    // Excludes the last strip, which the contact may cover only in part.
     const double outer = solution.pressure[last - 1], inner = solution.pressure[last - 3];
     const double slope = (inner * inner - outer * outer) / (frames[last - 1].angle - frames[last - 3].angle);
     return std::abs(frames[last - 1].angle + outer * outer / slope);
@@ -102,7 +102,7 @@ TEST_CASE("A cylinder in a hole of nearly its radius is pressed as Persson says"
         CHECK_THAT(half_angle_of(solution, hole.frames) / degree, WithinRel(half_angle, 1e-2));
         for (int strip = 0; strip < strips; ++strip) {
             const double angle = hole.frames[static_cast<std::size_t>(strip)].angle;
-            if (std::abs(std::abs(angle) / degree - half_angle) > 1.5)  // of a strip that is half in contact
+            if (std::abs(std::abs(angle) / degree - half_angle) > 1.5)  // deviation of a strip that is half in contact
                 CHECK_THAT(solution.pressure[static_cast<std::size_t>(strip)],
                            WithinAbs(persson.pressure(angle) / radius, 1e-2 * largest));
         }

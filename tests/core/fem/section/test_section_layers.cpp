@@ -1,4 +1,4 @@
-// A slab by finite elements beside the exact coefficients of a bonded layer.
+// Compares a slab by finite elements with the exact coefficients of a bonded layer.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -18,8 +18,8 @@ namespace {
 
 constexpr int strips = 8, offsets = 12;
 
-/// The largest difference of any coefficient of elements `dx` long to those of the layer, over zz of the half-space
-/// under such an element, or of the layer where that is less.
+/// Returns the largest difference between coefficients of elements `dx` long and those of the layer, over the smaller
+/// of zz of the half-space and of the layer under such an element.
 double difference_to_layer(const StripSpectrum& spectrum, double thickness, double nu, double dx) {
     const Layers layer{{{thickness, 1, nu}}, Material::rigid()};
     const StripTable slab = strip_table(spectrum, dx, offsets),
@@ -32,7 +32,7 @@ double difference_to_layer(const StripSpectrum& spectrum, double thickness, doub
     return largest / std::min(half_space, exact(Axis::z, Axis::z, 0, 0, 0));
 }
 
-/// Below 5e-4 an accuracy is reached or refused.
+/// An accuracy below 5e-4 is reached or refused.
 std::optional<SpectrumBuild> build_unless_refused(const SectionOutline& outline, double nu, double accuracy) {
     Observer observer;
     try {
@@ -54,7 +54,7 @@ void check_slabs(double accuracy) {
         CAPTURE(dx);
         CHECK(difference_to_layer(build.spectrum, thickness, nu, dx) <= build.errors.total());
     }
-    // Elements of order 4 on do not lock: near incompressibility they need one order more at most.
+    // Elements of order 4 and higher do not lock; near incompressibility they need at most one order more.
     if (accuracy == 1e-3) CHECK(build.order <= (nu > 0.49 ? 6 : 5));
 }
 
@@ -64,7 +64,7 @@ TEST_CASE("Slabs of any Poisson's ratio up to 0.499 are exact layers within thei
     check_slabs(1e-2);
 }
 
-// Slow: fine meshes of thin slabs, at all wavenumbers.
+// This is slow, because of fine meshes of thin slabs at all wavenumbers.
 TEST_CASE("A slab that is thin beside its strips errs by no more of its own compliance", "[section][slow]") {
     const double thickness = GENERATE(0.05, 0.2), nu = 0.28;
     Observer observer;
@@ -74,7 +74,7 @@ TEST_CASE("A slab that is thin beside its strips errs by no more of its own comp
         CHECK(difference_to_layer(build.spectrum, thickness, nu, dx) <= build.errors.total());
 }
 
-// Slow: fine meshes, at all wavenumbers.
+// This is slow, because of fine meshes at all wavenumbers.
 TEST_CASE("So are slabs to a thousandth", "[section][slow]") {
     check_slabs(1e-3);
 }

@@ -26,7 +26,7 @@ SectionMesh mesh_of(const SectionOutline& outline, int order, int edges_a_strip 
     return make_section_mesh(outline, divided, triangulate(divided, density), order);
 }
 
-/// Sums over all strips, loaded and observed alike, per strip.
+/// Sums over all strips, with equal loads and observations, per strip.
 double mean_response(const WaveResponse& response, int strips, int i, int j) {
     double sum = 0;
     for (int I = 0; I < strips; ++I)
@@ -61,19 +61,19 @@ TEST_CASE("Strips all round a solid cylinder meet the closed form with Bessel fu
     const WaveResponse response = model.at(xi_R / radius);
     CHECK_THAT(scale * mean_response(response, strips, 2, 2), WithinRel(nn, 1e-5));
     CHECK_THAT(scale * mean_response(response, strips, 0, 0), WithinRel(xx, 1e-5));
-    CHECK_THAT(scale * mean_response(response, strips, 0, 2), WithinRel(-xn, 1e-5));  // xn is that of -sin
+    CHECK_THAT(scale * mean_response(response, strips, 0, 2), WithinRel(-xn, 1e-5));  // xn has the opposite sign of sin
     CHECK_THAT(scale * mean_response(response, strips, 1, 1), WithinRel(ss, 1e-5));
 }
 
 TEST_CASE("A disc under two opposed loads widens across as Michell says", "[section]") {
-    // The rest, -4.4e-4, is 1.8e-4 of the core, which falls with its square, and the width of the loads.
+    // The remainder, -4.4e-4, is due to the core (1.8e-4, proportional to its square) and the width of the loads.
     const int strips = 360;
     const SectionOutline outline = disc(strips, 0.005);
     const SectionMesh mesh = mesh_of(outline, 4, 2);
     SectionModel model(outline, mesh, 4, nu);
     const WaveResponse response = model.at(0);
-    // Strips about the top (0 and strips - 1 meet there), the right, the bottom and the left: line loads by two
-    // strips each, of traction 1/2 a strip.
+    // Lists strips about the top (0 and strips - 1 meet there), the right, the bottom and the left. Line loads use two
+    // strips each, with traction 1/2 per strip.
     const auto nn = [&](int I, int J) {
         const std::size_t a = 3 * I + 2, b = 3 * J + 2, high = std::max(a, b), low = std::min(a, b);
         return response.values[high * (high + 1) / 2 + low];

@@ -1,4 +1,4 @@
-// Solvers need the coefficients of a section to be positive.
+// Tests that the coefficients of a section are positive, as solvers require.
 #include <Eigen/Eigenvalues>
 #include <catch2/catch_test_macros.hpp>
 #include <cmath>
@@ -22,13 +22,13 @@ SectionOutline outline_of_section(const Section& section) {
     return outline_of(geometry::SectionGeometry(section, strips, 1, "ics.section"));
 }
 
-/// Near an edge, in a groove, on a round end, and of a rail that is clamped at its foot.
+/// Lists sections: near an edge, in a groove, on a round end, and a rail that is clamped at its foot.
 std::vector<SectionOutline> outlines() {
     return {edge_block(50, 30, 0.5, strips), groove(6, 20, 20, strips), round_end(4, 20, strips),
             outline_of_section({RailSection{0, RailSupport::foot, 20}})};
 }
 
-/// The smallest over the largest one, of a symmetric matrix.
+/// Returns the smallest eigenvalue of a symmetric matrix over the largest one.
 double least_eigenvalue(const Eigen::MatrixXd& matrix) {
     REQUIRE((matrix - matrix.transpose()).norm() <= 1e-10 * matrix.norm());
     const Eigen::VectorXd values =
@@ -44,7 +44,7 @@ Eigen::MatrixXd matrix_at(const StripSpectrum& spectrum, std::size_t node) {
     return matrix;
 }
 
-/// By products with one traction after the other.
+/// Assembles the matrix by products with one traction after the other.
 Eigen::MatrixXd matrix_of(const InfluenceOperator& influence) {
     const auto n = static_cast<Eigen::Index>(influence.size());
     Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * n, 3 * n);

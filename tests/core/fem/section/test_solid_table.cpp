@@ -1,4 +1,4 @@
-// Three dimensions against the transform along x: meshes, and coefficients of a few strips.
+// Compares three-dimensional meshes and coefficients of a few strips with the transform along x.
 #include <algorithm>
 #include <array>
 #include <catch2/catch_test_macros.hpp>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double nu = 0.28;
 
-/// By the paper's solver, and of higher orders by a factor.
+/// Uses the paper's solver, and a factorisation for higher orders.
 SolidSpec coarse(int order) {
     SolidSpec spec{.solver = order <= 2 ? Solver::amg_pcg : Solver::direct, .order = order, .nx = 6};
     spec.density = {.edges_a_strip = 2, .growth = 0.8, .edges_a_body = 4, .corner_share = 0.3};
@@ -97,7 +97,7 @@ TEST_CASE("Strips that are not level are refused in three dimensions", "[section
     CHECK_THROWS_AS(mesh_of(groove(6, 20, 20, 5), 0), InvalidArgument);
 }
 
-// Slow: finite elements in three dimensions.
+// This is slow, because it uses finite elements in three dimensions.
 TEST_CASE("Three dimensions and the transform agree on a block with an edge", "[section][slow]") {
     Observer observer;
     const SectionOutline outline = small_edge();
@@ -109,8 +109,8 @@ TEST_CASE("Three dimensions and the transform agree on a block with an edge", "[
     SolidSpec shorter = coarse(2);
     shorter.slices.length = 20;
     const StripTable second = solid(coarse(2)), third = solid(coarse(3));
-    // The change by one order more is most of what the lower one leaves, and a body that is a third shorter ends too
-    // far away to matter.
+    // The change by one order more is most of the error of the lower one. A body that is a third shorter ends too far
+    // away to matter.
     const double left = largest_difference(third, second), ended = largest_difference(solid(shorter), second);
     CAPTURE(build.errors.total(), left, ended, largest_difference(second, transformed));
     CHECK(largest_difference(third, transformed) <= build.errors.total() + left / 2 + ended);

@@ -29,14 +29,14 @@ struct Component {
 };
 constexpr std::array components{Component{z, z, &Entry::zz}, Component{x, x, &Entry::xx}, Component{y, y, &Entry::yy},
                                 Component{z, y, &Entry::zy}, Component{y, z, &Entry::yz}, Component{x, z, &Entry::xz}};
-/// Returns the coefficient that Betti's theorem makes equal, at the offset -k; the reference has none of xz.
+/// Returns the coefficient at the offset -k that is equal by Betti's theorem; the reference has none of xz.
 double Entry::* opposite(const Component& of) {
     if (of.i == x && of.j == z) return nullptr;
     return of.i == of.j ? of.value : of.value == &Entry::zy ? &Entry::yz : &Entry::zy;
 }
 
-/// A coefficient of the reference as tables have it: the mean with the one that is equal by Betti's theorem. Where that
-/// is not in the reference, it may be off by half of what coefficients were not reciprocal by.
+/// Returns a coefficient of the reference as in tables: the mean with the one that is equal by Betti's theorem. If the
+/// reference lacks it, the error may be half of the defect of reciprocity.
 struct Expected {
     double value;
     bool has_opposite;
@@ -60,16 +60,16 @@ std::optional<SpectrumBuild> build_unless_refused(const SectionOutline& outline,
     }
 }
 
-/// Every coefficient of the reference is met within the error that is stated, which is no more than was asked for.
+/// Every coefficient of the reference is met within the stated error, which does not exceed the requested accuracy.
 void check_references(double accuracy) {
-    constexpr double rounding = 0.5e-6;  // of the reference's last digit
+    constexpr double rounding = 0.5e-6;  // rounding of the reference's last digit
     for (const auto& one : reference_sections::cases()) {
         const auto reached = build_unless_refused(one.outline, accuracy);
         if (!reached) continue;
         const SpectrumBuild& build = *reached;
         const StripTable table = strip_table(build.spectrum, 1, 101, 0, ds);
         CAPTURE(one.name, accuracy, build.errors.mesh, build.errors.wavenumbers, build.errors.end);
-        // The defect of reciprocity, which no finer mesh makes less, may miss the accuracy with a warning.
+        // The defect of reciprocity, which no mesh reduces, may exceed the accuracy, with a warning.
         CHECK(build.errors.numerical() <= accuracy);
         const double allowed = (build.errors.total() + one.own_error) * self + rounding;
         for (const Entry& entry : one.entries)
@@ -90,7 +90,7 @@ void check_layers(double accuracy) {
         const SpectrumBuild& build = *reached;
         const StripTable table = strip_table(build.spectrum, 1, 7, 0, ds);
         CAPTURE(one.name, accuracy, build.errors.mesh, build.errors.wavenumbers, build.errors.end);
-        // The defect of reciprocity, which no finer mesh makes less, may miss the accuracy with a warning.
+        // The defect of reciprocity, which no mesh reduces, may exceed the accuracy, with a warning.
         CHECK(build.errors.numerical() <= accuracy);
         const double allowed = build.errors.total() * self + rounding;
         constexpr int loaded = 7;
@@ -110,20 +110,20 @@ TEST_CASE("Tables of sections meet the reference within the error they state", "
     check_layers(1e-2);
 }
 
-// Slow: meshes for a thousandth, of each outline.
+// This is slow: it uses meshes of accuracy 1e-3 for each outline.
 TEST_CASE("So do finer tables", "[section][slow]") {
     check_references(1e-3);
     check_layers(1e-3);
 }
 
-// Long: meshes for a ten-thousandth.
+// This takes long: it uses meshes of accuracy 1e-4.
 TEST_CASE("So do the finest tables", "[section][long]") {
     check_references(1e-4);
     check_layers(1e-4);
 }
 
-// Far from a load a disc on a core turns as a shaft on an elastic foundation: its angle falls as exp(-lambda x), with
-// lambda^2 = 4 pi/(1/r^2 - 1/R^2)/(pi R^4/2), over 70 radii for a core of 0.005 R.
+// Far from a load, a disc on a core rotates like a shaft on an elastic foundation. Its angle decreases as exp(-lambda
+// x), with lambda^2 = 4 pi/(1/r^2 - 1/R^2)/(pi R^4/2), over 70 radii for a core of 0.005 R.
 TEST_CASE("A disc turns about a small core as a long shaft does", "[section]") {
     const double accuracy = GENERATE(1e-2, 3e-3);
     constexpr int strips = 40, offsets = 400;
@@ -136,10 +136,10 @@ TEST_CASE("A disc turns about a small core as a long shaft does", "[section]") {
     const double foundation = 4 * pi / (1 / (r * r) - 1 / (R * R)), stiffness = pi * std::pow(R, 4) / 2,
                  lambda = std::sqrt(foundation / stiffness);
     const double scale = half_space_coefficient(z, z, 0, 0, 1, 1, {.G = 1, .nu = nu});
-    constexpr double of_theory = 1e-3;  // 2 (lambda R)^2, and what the core's neighbourhood shears
+    constexpr double of_theory = 1e-3;  // 2 (lambda R)^2, plus the shear of the core's neighbourhood
     for (const int k : {40, 100, 200, 399}) {
         CAPTURE(accuracy, k);
-        const double torque = 2 * pi * R * R,  // of unit tractions on a ring as long as a strip is wide
+        const double torque = 2 * pi * R * R,  // unit tractions on a ring as long as a strip is wide
             expected = R * torque * std::exp(-lambda * k) / (2 * std::sqrt(foundation * stiffness));
         double sum = 0;
         for (int J = 0; J < strips; ++J) sum += table(y, y, 7, J, k);

@@ -1,4 +1,4 @@
-// Contacts that are curved across the track.
+// Tests contacts that are curved across the track.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -21,7 +21,7 @@ namespace {
 
 constexpr double of_rail = 13, of_wheel = 13.3;
 
-/// A wheel with a throat on a rail that fills it nearly.
+/// Creates a wheel with a throat on a rail that nearly fills it.
 WheelRailSetup throat_on_rail(Conformal conformal) {
     WheelRailSetup setup = cylinder_on_arc(of_rail);
     setup.rail.shape = ArcProfile{of_rail, 0, -10, 10};
@@ -61,7 +61,7 @@ TEST_CASE("Rows of a curved contact lie half-way between rail and wheel, along b
     }
 }
 
-// Radii that hardly differ, so that the contact spreads to where rows stand nearly upright.
+// Uses nearly equal radii, so that the contact extends to nearly upright rows.
 TEST_CASE("A wheel between the nodes of a mesh reaches as far as the rows of a wide curved contact") {
     WheelRailSetup setup = throat_on_rail(Conformal::half_space);
     setup.dx = 0.5;
@@ -83,7 +83,8 @@ TEST_CASE("A wheel between the nodes of a mesh reaches as far as the rows of a w
     for (std::size_t i = 0; i < of_exact.size(); ++i) REQUIRE_THAT(of_meshed[i], WithinAbs(of_exact[i], 0.01));
 }
 
-// The distance along the normal of two circles that touch in their lowest points grows by the difference of the radii.
+// The distance along the normal between two circles that touch at their lowest points grows by the difference of the
+// radii.
 TEST_CASE("Gaps of a curved contact are those along each row's normal") {
     const WheelRailSolution solution = solve(throat_on_rail(Conformal::half_space), loaded(60000));
     const WheelRailPatch& patch = solution.patches.at(0);
@@ -119,7 +120,7 @@ TEST_CASE("The sum of the rotated tractions is the force that was asked for") {
     CHECK_THAT(patch.solution.forces.Fn, WithinRel(plain, 1e-9));
     CHECK(plain > 1.01 * Fz);
     CHECK_THAT(solution.forces.track.Fy, WithinAbs(0, 1e-3));
-    // In one plane the same contact warns, and its pressure is another.
+    // With flat rows the same contact warns, and its pressure differs.
     setup.conformal = Conformal::off;
     const WheelRailSolution plane = solve(setup, loaded(60000));
     CHECK(warns(plane, "too strongly curved"));

@@ -1,4 +1,4 @@
-// Equivalent conicity, against cones, arcs, and the motion integrated step by step.
+// Tests equivalent conicity against cones, arcs, and the motion integrated step by step.
 #include "contactd/equivalent_conicity.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -28,7 +28,7 @@ WheelsetOnTrack on_60e1(const ProfileShape& wheel, double inclination) {
                              make_profile({ProfileKind::rail, Rail60E1{inclination}}).curve);
 }
 
-/// Half a wavelength over sqrt(2e r0), by steps of Runge and Kutta from rest until the motion rests again.
+/// Returns half a wavelength over sqrt(2e r0), by Runge-Kutta steps from rest until the motion rests again.
 double half_swing_by_steps(const geometry::RadiusDifference& difference, double amplitude) {
     double y = amplitude, velocity = 0, length = 0;
     const double step = 1e-3;
@@ -173,7 +173,7 @@ TEST_CASE("S1002 on 60E1 has the conicity that its profiles give point by point"
     const double inclination = GENERATE(1.0 / 40, 1.0 / 20);
     const auto wheelset = on_60e1(S1002{}, inclination);
     const auto& [wheel, rail, wheel_origin, rail_origin, nominal_radius, roller_radius] = wheelset.right;
-    const auto radius = [&](double shift) {  // of the point with the least gap, among points
+    const auto radius = [&](double shift) {  // of the point with the smallest gap
         double least = 1e9, z_there = 0;
         for (double y = -45; y < 45; y += 0.02) {
             const double z = wheel.at(wheel.s_at_y(y)).z, on_rail = y + shift + wheel_origin - rail_origin.y;

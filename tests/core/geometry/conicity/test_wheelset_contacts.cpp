@@ -1,4 +1,4 @@
-// Rigid contact of wheelsets, against closed forms and the published roll of a benchmark.
+// Tests rigid contact of wheelsets against closed forms and the published roll of a benchmark.
 #include "contactd/wheelset_contacts.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -28,7 +28,7 @@ ProfileCurve rail(const ProfileShape& shape) {
     return make_profile({ProfileKind::rail, shape}).curve;
 }
 
-/// Both profiles with their origins above each other.
+/// Places both profiles with their origins above each other.
 WheelsetOnTrack aligned(const ProfileShape& wheel_shape, const ProfileShape& rail_shape) {
     const WheelOverRail pair{wheel(wheel_shape), rail(rail_shape), 750, {750, 0}};
     return {pair, pair};
@@ -55,7 +55,7 @@ TEST_CASE("wheels of arcs touch arcs where their centres say", "[conicity]") {
 }
 
 TEST_CASE("with roll both wheels touch at one height, and arcs have the conicity of their closed form", "[conicity]") {
-    // Wickens, Fundamentals of Rail Vehicle Dynamics: to first order in the shift and the angle.
+    // Evaluates Wickens, Fundamentals of Rail Vehicle Dynamics, to first order in the shift and the angle.
     const double Rw = GENERATE(400., 1000.), Rr = 300, angle = 0.01;
     const auto wheelset = aligned(ArcProfile{Rw, -std::tan(angle)}, ArcProfile{Rr, -std::tan(angle)});
     const auto contacts = contacts_at(wheelset, 0.05);
@@ -78,14 +78,15 @@ TEST_CASE("each wheel has its own radius, and the axle leans towards the smaller
         CHECK_THAT(contacts.radius_difference(), WithinAbs(plain.radius_difference() + smaller, 1e-9));
     }
     const auto contacts = contacts_at(unequal, 0);
-    // A roll about the axle also shifts both cones sideways, which lifts one wheel and lets the other one down.
+    // A roll about the axle also shifts both cones sideways, which raises one wheel and lowers the other.
     const double arms = contacts.right.y - contacts.left.y - 0.05 * (contacts.right.radius + contacts.left.radius);
     CHECK_THAT(contacts.roll, WithinRel(-smaller / arms, 1e-3));
     CHECK_THAT(contacts.left.height - contacts.right.height, WithinAbs(-smaller, 1e-9));
 }
 
 TEST_CASE("a wheelset of S1002 on 60E1 rolls as in the published benchmark", "[conicity]") {
-    // The benchmark's roll balances elastic contacts of 10 kN under yaw; rigid ones without yaw come near.
+    // The benchmark's roll balances elastic contacts of 10 kN under yaw; rigid ones without yaw have nearly the same
+    // roll.
     const auto wheelset = wheelset_on_track(wheel(S1002{}), rail(Rail60E1{1.0 / 40}));
     for (const auto& [shift, roll] : {std::pair(1., -5.049e-5), {2., -1.128e-4}, {3., -1.803e-4}, {4., -2.557e-4}})
         CHECK_THAT(contacts_at(wheelset, shift).roll, WithinAbs(roll, 5e-6));
@@ -157,7 +158,7 @@ TEST_CASE("a rail is placed by its gauge, and its cant is an inclination", "[con
     const auto curve = rail(Rail60E1{1.0 / 40});
     const auto placed = wheel_over_rail(wheel(S1002{}), curve);
     const double s = curve.s_at_y(1435.0 / 2 - placed.rail_origin.y);
-    CHECK_THAT(curve.at(s).z, WithinAbs(14, 2e-3));  // straight lines between the points lead to the gauge point
+    CHECK_THAT(curve.at(s).z, WithinAbs(14, 2e-3));  // straight lines between the points determine the gauge point
     CHECK(curve.angle(s) < -1);
     CHECK_THAT(wheel_over_rail(wheel(S1002{}), curve, {.gauge = 1445}).rail_origin.y,
                WithinAbs(placed.rail_origin.y + 5, 1e-12));

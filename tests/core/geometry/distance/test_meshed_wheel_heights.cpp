@@ -1,4 +1,4 @@
-// Heights of wheels that are straight between the nodes of a mesh.
+// Tests heights of wheels that are straight between the nodes of a mesh.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -45,7 +45,7 @@ TEST_CASE("A meshed wheel differs from the wheel by what chords leave out") {
 TEST_CASE("Nodes of a mesh lie where elements are counted from") {
     const WheelSurface wheel = wheel_with();
     const double chord = 0.5 * 0.5 / (8 * 460);
-    // One element whose middle is at x, half a node or none away from where nodes are.
+    // Uses one element whose middle is at x, at a node or half a node away.
     const auto left_out = [&](double x, double from) {
         const Grid grid{1, 1, 0.5, 0.4, x - 0.25, -0.2};
         return wheel_heights(wheel, reference, grid)[0] - meshed(wheel, grid, {from, 0})[0];

@@ -1,4 +1,4 @@
-// Surfaces between nodes: straight, and by cubics.
+// Tests surfaces between nodes: straight, and by cubics.
 #include "geometry/distance/node_mesh.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -11,7 +11,7 @@ using namespace contactd::geometry;
 
 namespace {
 
-/// Nodes that lean and spread, 1 mm apart about, with the heights of a function.
+/// Creates inclined, irregular nodes about 1 mm apart, with the heights of a function.
 template <class Height>
 NodeMesh mesh_of(const Height& height, NodeMesh::Between between, double lean = 0.1) {
     std::vector<Vector3> nodes;
@@ -40,10 +40,10 @@ TEST_CASE("At nodes a surface has their heights, and half-way between two of the
              cubic = mesh_of(bowl, NodeMesh::Between::cubic, 0);
     CHECK_THAT(straight.height(3, 4), WithinAbs(bowl(3, 4), 1e-12));
     CHECK_THAT(cubic.height(3, 4), WithinAbs(bowl(3, 4), 1e-12));
-    // Chords of a parabola lie an eighth of its second difference above it, and cubics on it.
+    // Chords of a parabola lie an eighth of its second difference above it, and cubics are exact.
     CHECK_THAT(straight.height(3.5, 4), WithinAbs(bowl(3.5, 4) + 0.1 / 4, 1e-12));
     CHECK_THAT(cubic.height(3.5, 4.25), WithinAbs(bowl(3.5, 4.25), 1e-12));
-    // At the border there is a slope of the last side only.
+    // At the border, only the slope of the last side is available.
     CHECK_THAT(cubic.height(0.5, 4), WithinAbs(bowl(0.5, 4) + 0.1 / 8, 1e-12));
 }
 

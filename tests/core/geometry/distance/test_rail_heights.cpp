@@ -1,4 +1,4 @@
-// Heights of rails that go from slice to slice: a few columns tell all where the surface is smooth.
+// Tests heights of rails with slices: where the surface is smooth, a few columns determine all others.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -15,7 +15,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-/// Rails of 60E1 whose height and place change along the track, every 25 mm.
+/// Creates rails of 60E1 whose height and position change along the track, every 25 mm.
 std::shared_ptr<const SlicedRail> waved() {
     const ProfileCurve plain = make_profile({ProfileKind::rail, Rail60E1{1.0 / 40}}).curve;
     std::vector<SlicedRail::Slice> slices;
@@ -32,7 +32,7 @@ std::shared_ptr<const SlicedRail> waved() {
 }  // namespace
 
 TEST_CASE("A grid over slices has the heights that each of its columns has by itself") {
-    const double along = GENERATE(0.0, 7.0, 12.5);  // of the grid's middle, behind a slice or between two
+    const double along = GENERATE(0.0, 7.0, 12.5);  // position of the grid's middle, after a slice or between two
     const double y = GENERATE(0.0, -20.0);
     const int nx = GENERATE(36, 9, 80);
     Track track;

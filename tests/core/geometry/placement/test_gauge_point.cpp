@@ -1,4 +1,4 @@
-// A rail lies where its curve says, not the straight lines between the points of the curve.
+// Tests that the curve determines the position of a rail, not the straight lines between its points.
 #include "geometry/placement/gauge_point.hpp"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// Every so many millimetres of a curve.
+/// Returns points of a curve at equal distances in mm.
 std::vector<ProfilePoint> points_of(const ProfileCurve& curve, double spacing) {
     const int pieces = static_cast<int>(std::ceil(curve.end() / spacing));
     std::vector<ProfilePoint> points;

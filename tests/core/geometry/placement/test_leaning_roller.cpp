@@ -1,4 +1,4 @@
-// Rollers whose surface leans with their axle.
+// Tests rollers whose surface is inclined with their axle.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -37,7 +37,7 @@ TEST_CASE("A cylinder that leans is the cylinder about its axle that leans") {
     const double lower = GENERATE(0.0, 0.5), x = GENERATE(-20.0, 0.0, 7.0), y = GENERATE(740.0, 755.0);
     const RailSurface rail = cylinder(true, lower);
     const double axle_y = 750 - radius * std::sin(roll), axle_z = 2 + lower + radius * std::cos(roll);
-    // A point of the surface lies so far from the plane through the axle and the track's x.
+    // Returns the distance of a point of the surface from the plane through the axle and the track's x.
     const double outwards = std::sqrt(radius * radius - x * x);
     const double z = axle_z + (std::sin(roll) * (y - axle_y) - outwards) / std::cos(roll);
     CHECK_THAT(rail.height(x, y, 0), WithinAbs(z, 1e-8));
@@ -69,7 +69,7 @@ TEST_CASE("A leaning torus under a cylinder is Hertz's contact with its curvatur
     const WheelRailSolution solution = solve(setup, state);
     REQUIRE(solution.converged());
     REQUIRE(solution.patches.size() == 1);
-    // Its radius there, and Meusnier's theorem for a plane that leans against the circle's.
+    // Uses the local radius, and Meusnier's theorem for a plane inclined against the circle's.
     const double circle = 100 - across * (1 - std::cos(lean));
     const double along = 1 / (1 / wheel + std::cos(lean) / circle);
     const HertzContact known = hertz_of_force({along, across}, setup.bodies.materials().normal_compliance(), Fn);

@@ -1,4 +1,4 @@
-// Radii of out-of-round wheels, between their slices.
+// Tests radii of out-of-round wheels, between their slices.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -19,12 +19,12 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A line over a wheel's width, out by `radius` and leaning by `slope`.
+/// Creates a line over a wheel's width, with a deviation `radius` and an inclination `slope`.
 ProfileCurve line(double radius, double slope = 0, double from = -40, double to = 40) {
     return ProfileCurve({{from, radius + slope * from}, {0, radius}, {to, radius + slope * to}});
 }
 
-/// Round the wheel by equal steps.
+/// Creates slices around the wheel at equal steps.
 template <class Radius>
 OutOfRound by_radius(int count, const Radius& radius) {
     std::vector<double> angles;

@@ -1,4 +1,4 @@
-// Splines from slice to slice: they keep the shape of the values, and curve smoothly.
+// Tests splines from slice to slice: they keep the shape of the values, and are smooth.
 #include "geometry/placement/quintic_spline.hpp"
 
 #include <algorithm>
@@ -96,7 +96,7 @@ TEST_CASE("A step between equal values is passed once, and leaves no waves") {
 }
 
 TEST_CASE("Curvatures of smooth values err by the third power of their distance") {
-    const double begin = GENERATE(0.0, 0.013, 0.031);  // an extremum between two values, too
+    const double begin = GENERATE(0.0, 0.013, 0.031);  // also an extremum between two values
     const auto error = [&](int count) {
         std::vector<double> knots, values;
         for (int i = 0; i < count; ++i) {

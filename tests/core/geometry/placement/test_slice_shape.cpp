@@ -1,4 +1,4 @@
-// Cross-sections between slices that are copies of one profile, or equal.
+// Tests cross-sections between slices that are copies of one profile, or equal.
 #include "geometry/placement/slice_shape.hpp"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double turn = 2 * std::numbers::pi;
 
-/// Slices by points that correspond, and the lines along them.
+/// Describes slices by corresponding points, and the lines along them.
 struct Slices {
     SplineAlong spline;
     std::vector<SlicePoints> points;
@@ -58,7 +58,7 @@ std::vector<double> uneven(std::mt19937& random, std::size_t count, Widths width
     return knots;
 }
 
-/// Heights as they are measured, given or drawn: level, ramps, dips with a point, steps, and any.
+/// Lists measured, given and drawn heights: level, ramps, dips with a point, steps, and arbitrary ones.
 std::vector<std::vector<double>> heights() {
     return {{0, 0, 0, 0.2, 1.8, 2, 2, 2},      {0, -1, -2, -3, -4, -5, -6, -7}, {0, 0, -1, -2, -1, 0, 0, 0},
             {0, 0, 0, 0.7, 0.7, 0.7, 0.7, 0},  {3, 1, 4, 1, 5, 9, 2, 6},        {0, 1e-3, 0, -1e-3, 5, 5, 5.001, 5},
@@ -98,7 +98,7 @@ TEST_CASE("Slices that are lifted, leaning and stretched copies of a profile are
             points.back().push_back(stretched * z[k] + leaning * static_cast<double>(k) + height);
     }
     const Slices slices(SplineAlong(uneven(random, points.size()), kind), points);
-    // Copies are sums of 1, k and z[k] with the same factors for all k: three of them tell these.
+    // Copies are sums of 1, k and z[k] with the same factors for all k, which three of them determine.
     const auto lift = [&](std::size_t k, std::size_t piece, double share) { return slices.at(k, piece, share); };
     for (std::size_t piece = 0; piece + 1 < points.size(); ++piece)
         for (const double share : {0.15, 0.5, 0.8}) {
@@ -124,7 +124,7 @@ TEST_CASE("Digits that points are rounded to move what lies between by as little
         std::uniform_real_distribution<> below(-0.5, 0.5);
         for (const double by : height) {
             points.emplace_back();
-            for (const double at : z)  // rounded, and measured once more
+            for (const double at : z)  // rounded, and then measured again
                 points.back().push_back(digit * std::round((at + by) / digit + below(random)));
         }
         const auto knots = uneven(random, height.size(), std::uniform_real_distribution<>(20, 60));
@@ -134,7 +134,7 @@ TEST_CASE("Digits that points are rounded to move what lies between by as little
                 for (std::size_t k = 1; k < z.size(); ++k)
                     REQUIRE_THAT(slices.at(k, piece, share) - slices.at(0, piece, share),
                                  WithinAbs(z[k] - z[0], 4 * digit));
-        // Slices that are equal but for their digits are level between.
+        // Slices that are equal except for rounding are level between them.
         for (std::size_t piece = 0; piece + 1 < height.size(); ++piece)
             if (height[piece] == height[piece + 1])
                 REQUIRE_THAT(slices.at(50, piece, 0.5), WithinAbs(z[50] + height[piece], 10 * digit));
@@ -144,11 +144,11 @@ TEST_CASE("Digits that points are rounded to move what lies between by as little
 TEST_CASE("Slices that are equal are equal all between, whatever lies beside them and however far apart they are") {
     const double gap = GENERATE(0.1, 1.0, 30.0, 1e4), period = GENERATE(0.0, 50.0);
     const auto equal = GENERATE(EqualValues::stay, EqualValues::may_flank_extremum);
-    // A dip that bends all the way, up to both of its ends.
+    // This dip is curved throughout, up to both of its ends.
     const std::vector<double> knots{0, 1, 2, 3, 4, 4 + gap, 5 + gap, 6 + gap};
     std::vector<SlicePoints> points;
     for (const double depth : {0.8, 0.9, 0.9, 0.6, 0.0, 0.0, 0.6, 0.9}) points.push_back({depth, 2 * depth, 1, -depth});
-    if (equal == EqualValues::may_flank_extremum && gap <= 2) return;  // there it may be one
+    if (equal == EqualValues::may_flank_extremum && gap <= 2) return;  // the curve may have one there
     const Slices slices(
         SplineAlong(knots, SliceSpline::shape_preserving, period > 0 ? knots.back() + period : 0, equal), points);
     for (std::size_t k = 0; k < 4; ++k)
@@ -159,7 +159,7 @@ TEST_CASE("Slices that are equal are equal all between, whatever lies beside the
 
 TEST_CASE("Slices of a flat alone leave the rest of the turn as it is") {
     const auto kind = GENERATE(SliceSpline::shape_preserving, SliceSpline::cubic, SliceSpline::approximating);
-    const double rest = GENERATE(0.0, 1e-7, 1e-3, -1e-3);  // how much the last slice is off
+    const double rest = GENERATE(0.0, 1e-7, 1e-3, -1e-3);  // deviation of the last slice
     std::vector<double> angles;
     std::vector<SlicePoints> points;
     for (int i = -10; i <= 10; ++i) {

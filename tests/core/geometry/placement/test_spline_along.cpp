@@ -78,7 +78,8 @@ TEST_CASE("An approximating spline has a sixth of both neighbours in it") {
     for (std::size_t i = 0; i < knots.size(); ++i) CHECK_THAT(line.values[i], WithinAbs(expected[i], 1e-12));
     CHECK_THAT(line.derivatives[1].slope, WithinAbs(6. / 4, 1e-12));
     CHECK_THAT(line.derivatives[2].curving, WithinAbs(-12. / 4, 1e-12));
-    // Between two knots it is the cubic of its four control points: 23/48 of the nearer ones, 1/48 of the others.
+    // Between two knots the spline is the cubic of its four control points: 23/48 of the nearer ones, 1/48 of the
+    // others.
     CHECK_THAT(between(spline, line, 1, 0.5), WithinAbs(6 * 23. / 48, 1e-12));
     CHECK_THAT(between(spline, line, 3, 0.5), WithinAbs(6 * 1. / 48, 1e-12));
 }

@@ -1,4 +1,4 @@
-// Cleaning the points of measured profiles.
+// Tests cleaning of the points of measured profiles.
 #include "geometry/profile/cleaning.hpp"
 
 #include <catch2/catch_approx.hpp>
@@ -28,7 +28,7 @@ TEST_CASE("of a wheel remains what advances from its middle", "[profile]") {
 TEST_CASE("of a rail remains what nothing lies above", "[profile]") {
     const Points rail{{-35, 40}, {-37, 30}, {-36, 14}, {-20, 2}, {0, 0}, {20, 2}, {36, 14}, {37, 30}, {20, 40}};
     CHECK(rail_seen_from_above(rail) == Points{{-37, 30}, {-36, 14}, {-20, 2}, {0, 0}, {20, 2}, {36, 14}, {37, 30}});
-    const Points lip{{0, 0}, {20, 5}, {30, 8}, {25, 6}, {35, 7}};  // comes back above what it had
+    const Points lip{{0, 0}, {20, 5}, {30, 8}, {25, 6}, {35, 7}};  // returns above the earlier points
     CHECK(rail_seen_from_above(lip) == Points{{0, 0}, {20, 5}, {25, 6}, {35, 7}});
 }
 
@@ -55,7 +55,7 @@ TEST_CASE("below a lip a rail's outline falls upright, to where the lower side c
 }
 
 TEST_CASE("behind a wheel's lip its outline rises upright, and adds nothing to what the rail may touch", "[profile]") {
-    // The back of the flange recedes above (-70, 20), and comes out again 3 mm farther at (-73, 4).
+    // The back of the flange recedes above (-70, 20), and reappears 3 mm farther at (-73, 4).
     const Points wheel{{-73, 4}, {-69, 6}, {-69, 15}, {-70, 20}, {-60, 28}, {-40, 15}, {0, 0}, {60, -3}};
     const Visible visible = visible_part(wheel, {}, ProfileKind::wheel);
     REQUIRE(visible.points.size() == 7);

@@ -1,4 +1,4 @@
-// Profiles from their formulae, against the formulae and published points.
+// Tests profiles by formulas against the formulas and published points.
 #include "geometry/profile/formula_points.hpp"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using geometry::formula_points;
 
 namespace {
 
-/// How far a curve passes from a point (mm).
+/// Returns the distance of a curve from a point (mm).
 double distance(const ProfileCurve& curve, const ProfilePoint& point) {
     double s = curve.knots().front(), least = 1e9;
     for (const double knot : curve.knots()) {
@@ -129,7 +129,7 @@ TEST_CASE("an inclined head is the upright one rotated, its top at zero", "[prof
     CHECK_THAT(std::hypot(inclined[last].y - inclined[first].y, inclined[last].z - inclined[first].z),
                WithinAbs(std::hypot(upright[last].y - upright[first].y, upright[last].z - upright[first].z), 1e-10));
     CHECK_THAT((inclined[last].z - inclined[first].z) / (inclined[last].y - inclined[first].y),
-               WithinAbs(-inclination, 1e-12));  // the gauge side, y < 0, lies lower
+               WithinAbs(-inclination, 1e-12));  // the gauge side, y < 0, is lower
     double top = 1;
     const ProfileCurve curve(inclined);
     for (int k = 0; k <= 20000; ++k) top = std::min(top, curve.at(curve.end() * k / 20000).z);

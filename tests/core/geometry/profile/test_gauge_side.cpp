@@ -1,4 +1,4 @@
-// The side of a rail on which wheels run.
+// Tests the side of a rail on which wheels run.
 #include "geometry/profile/gauge_side.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -11,9 +11,10 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-constexpr double stretch = 1.1;  // which leaves no number exact
+constexpr double stretch = 1.1;  // makes all numbers inexact
 
-/// A head of two parabolas that meet at its top, z = stretch y^2/left on the side of y < 0, y^2/right on the other one.
+/// Creates a head of two parabolas that meet at its top, z = stretch y^2/left for y < 0, and y^2/right on the other
+/// side.
 ProfileCurve head(double top, double left, double right) {
     std::vector<ProfilePoint> points;
     for (int i = -300; i <= 300; ++i) {
@@ -26,7 +27,7 @@ ProfileCurve head(double top, double left, double right) {
 }  // namespace
 
 TEST_CASE("Heights of a rail, and their rounding, do not change its gauge side", "[profile]") {
-    // Sides are compared 0.2 mm below the top, and where the flatter one ends.
+    // Sides are compared 0.2 mm below the top, and at the end of the flatter one.
     const double between = std::sqrt(0.2 / stretch) - std::sqrt(30.0 * 30 / 400);
     const double beside = 0.5 * (std::sqrt(400) - std::sqrt(200)) * between;
     for (int k = 0; k < 300; ++k) {

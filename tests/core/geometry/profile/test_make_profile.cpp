@@ -1,4 +1,4 @@
-// From the value of a profile to its curve, and what is refused on the way.
+// Tests the conversion of a profile's value to its curve, and its refusals.
 #include "contactd/make_profile.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-/// Half a millimetre apart, as an instrument would give them.
+/// Returns points half a millimetre apart, as an instrument measures them.
 ProfilePoints measured(const ProfileSpec& spec, double noise = 0) {
     const ProfileCurve curve = make_profile(spec).curve;
     std::mt19937 dice(7);
@@ -110,7 +110,7 @@ TEST_CASE("kinks survive smoothing", "[profile]") {
     CHECK(made.curve.kinks() == std::vector<std::size_t>{40});
     CHECK(made.evidence.largest_distance < 1e-9);  // both sides are straight
     roof.points.erase(roof.points.begin() + 40);
-    CHECK(make_profile({ProfileKind::rail, roof}).evidence.largest_distance > 1e-3);  // two turns are no kink
+    CHECK(make_profile({ProfileKind::rail, roof}).evidence.largest_distance > 1e-3);  // two turns are not a kink
 }
 
 TEST_CASE("nothing swings out below a lip, and what it hides has its part in smoothing", "[profile]") {
@@ -130,7 +130,7 @@ TEST_CASE("nothing swings out below a lip, and what it hides has its part in smo
     };
     CHECK_THAT(widest(rough.curve), WithinAbs(-15.725, 3e-3));
     worn.smoothing_length = 4;
-    // The bump loses about as much to both sides, and would lose less at an end.
+    // The bump decreases about equally on both sides, and would decrease less at an end.
     CHECK_THAT(widest(make_profile({ProfileKind::rail, worn}).curve), WithinAbs(-15.60, 0.06));
 }
 
@@ -154,7 +154,7 @@ TEST_CASE("points that make no profile are refused with what to do", "[profile]"
     bad = good;
     bad.mirror_z = true;
     refused(ProfileKind::wheel, bad, "change mirror_z");
-    // As deep on its faces as its flange is high.
+    // Its faces are as deep as its flange is high.
     const ProfilePoints with_faces{{{-70, -21},
                                     {-69, 9},
                                     {-60, 26},

@@ -1,5 +1,4 @@
-// Files as they were measured: public ones of the CONTACT program, which are read where they lie, beside the
-// repository.
+// Tests measured files: public ones of the CONTACT program, read from their folder next to the repository.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -20,8 +19,8 @@ namespace {
 
 const std::filesystem::path folder = std::filesystem::path(SHARED_FILES) / "contact/testbank/profiles";
 
-/// What lies at the top or at the tip of each, as the file has it: z of the lowest point of a wheel, that of the
-/// highest of a rail (mm), and whether z points upwards there.
+/// Lists the expected top or tip of each file: z of the lowest point of a wheel, or of the highest of a rail (mm), and
+/// whether z points upwards there.
 struct Measured {
     const char* name;
     ProfileKind kind;
@@ -53,7 +52,7 @@ const std::vector<Measured> measured{
     {"uic60_true.prr", rail, 0, false},
 };
 
-/// Points as rows of text: `write` makes one of y and z.
+/// Returns points as rows of text: `write` makes one row of y and z.
 std::string text_of(const ProfilePoints& points, const auto& write) {
     std::ostringstream text;
     text.precision(12);

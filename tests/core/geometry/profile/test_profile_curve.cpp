@@ -1,4 +1,4 @@
-// The curve through the points of a profile.
+// Tests the curve through the points of a profile.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-/// A rail-like arc of radius R below the top, from -60 to 60 degrees.
+/// Creates a rail-like arc of radius R below the top, from -60 to 60 degrees.
 std::vector<ProfilePoint> arc(double R, int count) {
     std::vector<ProfilePoint> points;
     for (int i = 0; i < count; ++i) {
@@ -30,7 +30,7 @@ std::vector<ProfilePoint> arc(double R, int count) {
     return points;
 }
 
-/// Uneven steps, and a curvature that changes its sign.
+/// Uses uneven steps, and a curvature that changes its sign.
 std::vector<ProfilePoint> wave() {
     std::vector<ProfilePoint> points;
     for (int i = 0; i <= 40; ++i) {
@@ -114,7 +114,7 @@ TEST_CASE("a curve is found by y where it stands upright", "[profile]") {
 TEST_CASE("an upright line has its places, too", "[profile]") {
     const ProfileCurve upright({{0, 0}, {5e-324, 1}, {1e-323, 2}});
     CHECK_FALSE(upright.y_is_monotone());
-    CHECK(upright.s_at_y(1) == 0);  // all points are as near
+    CHECK(upright.s_at_y(1) == 0);  // all points are at the same distance
     CHECK(upright.s_at_y(-1) == 0);
     CHECK_THAT(upright.angle(0.5), WithinAbs(pi / 2, 1e-15));
 }

@@ -1,4 +1,4 @@
-// Smoothing splines: what they keep of waves, lines and noise.
+// Tests the effect of smoothing splines on waves, lines and noise.
 #include "geometry/profile/smoothing.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -47,11 +47,12 @@ TEST_CASE("a straight line is kept whatever is smoothed away", "[profile]") {
 }
 
 TEST_CASE("the smoothed values make the functional least", "[profile]") {
-    // Against a change of any value: the first variation is that of a quadratic form, so both signs must cost more.
+    // Changes any value in both directions: both must increase the sum, because the first variation of a quadratic form
+    // vanishes.
     const std::vector<double> knots{0, 1, 2.5, 3, 4.2, 5}, values{0, 1, 0.5, 2, 1.5, 3}, weights{1, 2, 0.5, 1, 3, 1};
     const double lambda = 0.3;
     const auto smooth = smoothed(knots, values, weights, lambda);
-    double force = 0, moment = 0;  // residuals of the weights are in balance, as a line may be added for nothing
+    double force = 0, moment = 0;  // weighted residuals are in equilibrium, because adding a line has no cost
     for (std::size_t i = 0; i < knots.size(); ++i) {
         force += weights[i] * (values[i] - smooth[i]);
         moment += weights[i] * (values[i] - smooth[i]) * knots[i];
@@ -74,9 +75,9 @@ TEST_CASE("points that weigh alike keep half the amplitude of a wave by lambda a
 }
 
 TEST_CASE("the third order keeps of waves what the spectrum of its splines says", "[profile]") {
-    // Splines of the step h have of exp(i w s), sampled densely, the share b^2 / (sum of b^2 + (L / 2 pi h)^6 (2
-    // sin)^6), b = sinc(t/2)^4 at t = w h and, in the sum, at all t + 2 pi n; half were kept if they could be that
-    // wave.
+    // For densely sampled exp(i w s), splines of the step h retain the share b^2 / (sum of b^2 + (L / 2 pi h)^6 (2
+    // sin)^6), b = sinc(t/2)^4 at t = w h and, in the sum, at all t + 2 pi n; half would remain if they could represent
+    // that wave.
     const double wavelength = 5, waves = GENERATE(4., 5., 10., 20.);
     const double h = wavelength / 4, t = 2 * pi / waves * h;
     const auto b = [](double angle) { return std::pow(std::sin(angle / 2) / (angle / 2), 4); };
@@ -89,7 +90,7 @@ TEST_CASE("the third order keeps of waves what the spectrum of its splines says"
     auto wave = samples_of([](double) { return 0.; });
     for (int i = 0; i <= 1000; ++i) wave.values[i] = std::sin(2 * pi * wave.knots[i] / waves);
     const auto smooth = smoothed_by_third(wave.knots, wave.values, wave.weights, wavelength);
-    // The share of the wave itself: splines have shorter ones, too, of which none goes round in these samples.
+    // Returns the share of the wave itself. Splines also contain shorter waves, which vanish in these samples.
     double share = 0, all = 0;
     for (int i = 300; i < 700; ++i) {
         share += smooth[i] * wave.values[i];

@@ -1,4 +1,4 @@
-// Tip, throat and tread of wheels.
+// Tests tip, throat and tread of wheels.
 #include "geometry/profile/wheel_landmarks.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -18,7 +18,7 @@ TEST_CASE("S1002 has its flange where the standard draws it", "[profile]") {
     CHECK_THAT(found->tip.y, WithinAbs(-55, 0.5));
     CHECK_THAT(found->tread.y, WithinAbs(found->tip.y + 55, 1e-6));
     CHECK_THAT(found->tread.z, WithinAbs(0, 0.05));
-    // The throat is an arc of 13 mm from y = -38.4 to -26, hollowest where it meets the flank.
+    // The throat is an arc of 13 mm from y = -38.4 to -26, deepest at the flank.
     CHECK(found->throat.y > -40);
     CHECK(found->throat.y < -26);
     CHECK(found->throat.z < found->tip.z);

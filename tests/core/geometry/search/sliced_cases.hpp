@@ -1,4 +1,4 @@
-// Rails of slices with edges, for tests of searches.
+// Creates rails of slices with edges, for tests of searches.
 #pragma once
 
 #include <functional>
@@ -9,7 +9,7 @@
 
 namespace contactd::test {
 
-/// A cylinder of 450 mm on an arc of 300 mm by slices; `height` is positive where the rail is higher.
+/// Creates a cylinder of 450 mm on an arc of 300 mm by slices; `height` is positive where the rail is higher.
 inline WheelRailSetup on_rail_of(const std::vector<double>& places,
                                  const std::function<double(double x, double y)>& height) {
     WheelRailSetup setup = cylinder_on_arc(300);

@@ -1,4 +1,4 @@
-// Wheels that are not where a rigid wheelset has them: both searches find them at one place.
+// Tests wheels that are displaced from a rigid wheelset: both searches find the same positions.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr double wheel_radius = 430, roller_radius = 600, side = 760;
 
-/// A cone of 1/20 on a crown of 250 mm.
+/// Creates a cone of 1/20 on a crown of 250 mm.
 WheelRailSetup cone_on_crown() {
     WheelRailSetup setup;
     setup.wheel.shape = ConeProfile{-0.05, -30, 30};
@@ -36,7 +36,7 @@ WheelRailSetup on_roller() {
     return setup;
 }
 
-/// The crown by slices whose heights are those of a roller, at y = 0.
+/// Creates the crown by slices whose heights are those of a roller, at y = 0.
 WheelRailSetup on_slices() {
     WheelRailSetup setup = cone_on_crown();
     const ProfileCurve crown = make_profile(setup.rail).curve;
@@ -49,7 +49,7 @@ WheelRailSetup on_slices() {
     return setup;
 }
 
-/// A wheel whose slices are all alike: it is searched for on a mesh.
+/// Creates a wheel with equal slices, which is searched for on a mesh.
 WheelRailSetup of_equal_slices(WheelRailSetup setup) {
     for (const double angle : {-0.5, 0.0, 0.5}) setup.wheel_slices.push_back({angle, setup.wheel});
     return setup;
@@ -60,7 +60,7 @@ struct Found {
     ContactPlace place;
 };
 
-/// The only contact of a wheel that stands 0.02 mm lower than where it begins to touch.
+/// Returns the only contact of a wheel 0.02 mm below the height of first contact.
 Found pressed(const WheelRailSetup& setup, WheelRailState state) {
     const WheelRailContact contact(setup);
     const double height = contact.first_contact_height(state).value();
@@ -84,7 +84,7 @@ TEST_CASE("A wheel ahead of its place touches a roller on the line from axle to 
     setup.patches.search = GENERATE(ContactSearch::locus, ContactSearch::mesh);
     const double ahead = GENERATE(-20.0, 8.0, 20.0);
     const Found found = pressed(setup, with({.x = ahead}));
-    // Where a cone of 1/20 touches a crown of 250 mm, this is 0.31 mm below its top and the wheel 0.62 mm larger.
+    // A cone of 1/20 touches a crown of 250 mm 0.31 mm below its top, where the wheel is 0.62 mm larger.
     const double aside = 250 * std::sin(std::atan(0.05)), sunk = 250 * (1 - std::cos(std::atan(0.05)));
     const double roller = roller_radius - sunk, wheel = wheel_radius + 0.05 * aside;
     CHECK_THAT(found.place.reference.x, WithinAbs(ahead * roller / (roller + wheel), 2e-3));

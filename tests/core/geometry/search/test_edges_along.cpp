@@ -1,4 +1,4 @@
-// The quick look along lines from slice to slice, against the coarse mesh that finds edges.
+// Compares the fast search along lines from slice to slice with the coarse mesh that finds edges.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -17,7 +17,7 @@ using namespace contactd::test;
 
 namespace {
 
-/// The surfaces of a state, and what searches them.
+/// Holds the surfaces of a state, and their searches.
 struct Searched {
     Searched(const WheelRailSetup& setup, const WheelRailState& state)
         : profiles(make_profiles(setup)),
@@ -33,7 +33,7 @@ struct Searched {
     EdgesAlong edges;
 };
 
-/// A rail with one step up, throughout or across a part of its head, under a wheel somewhere near.
+/// Creates a rail with a step, across all or part of its head, under a wheel nearby.
 struct RandomEdge {
     explicit RandomEdge(std::mt19937& generator) {
         const auto between = [&](double a, double b) { return std::uniform_real_distribution(a, b)(generator); };
@@ -54,7 +54,7 @@ struct RandomEdge {
     }
     WheelRailSetup setup;
     WheelRailState state;
-    double height;  // of the first contact, below it
+    double height;  // below the first contact
 };
 
 }  // namespace

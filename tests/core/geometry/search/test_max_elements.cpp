@@ -1,4 +1,4 @@
-// Patches whose elements grow where there would be too many.
+// Tests patches whose elements grow if there are too many.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr int some = 5000;
 
-/// Overlap of some 20 by 17 mm.
+/// Creates an overlap of about 20 by 17 mm.
 WheelRailSetup heavy(int max_elements) {
     WheelRailSetup setup = cylinder_on_arc(300);
     setup.friction = WheelRailFriction{{{0, 0.3}}};

@@ -1,4 +1,4 @@
-// Edges of rails of slices that the search along the locus passes over.
+// Tests edges of rails of slices that the search along the locus misses.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -13,7 +13,7 @@ using namespace contactd::test;
 
 namespace {
 
-/// A rail that is higher by `rise` from x = `at` on, away from the axle.
+/// Creates a rail that is higher by `rise` from x = `at` on, away from the axle.
 WheelRailSetup on_step(double at, double rise) {
     return on_rail_of({-200, -100, at - 20, at - 10, at - 0.05, at + 0.05, at + 10, at + 20, 200},
                       [=](double x, double) { return (x - at) * at > 0 ? rise : 0; });
@@ -34,7 +34,7 @@ std::string sentence_of_edge(const WheelRailSolution& solution) {
 }  // namespace
 
 TEST_CASE("A step that the wheel reaches ahead of its contact is warned of") {
-    // At 15 mm the wheel is 0.25 mm above where it is lowest, and the rail 0.3 mm.
+    // At 15 mm the wheel is 0.25 mm above its lowest point, and the rail 0.3 mm.
     const double at = GENERATE(15.0, -15.0);
     WheelRailSetup setup = on_step(at, 0.3);
     setup.side = GENERATE(Side::left, Side::right);
@@ -43,7 +43,7 @@ TEST_CASE("A step that the wheel reaches ahead of its contact is warned of") {
     CHECK(sentence.starts_with("At x = " + std::string(at > 0 ? "1" : "-1")));
     CHECK(sentence.find(setup.side == Side::left ? "and y = -7" : "and y = 7") != std::string::npos);
 
-    // The search on a mesh finds it, and has nothing to warn of.
+    // The search on a mesh finds it without a warning.
     setup.patches.search = ContactSearch::mesh;
     const WheelRailSolution mesh = pressed(setup);
     CHECK(sentence_of_edge(mesh).empty());

@@ -1,4 +1,4 @@
-// Where lengths across a rail are counted from.
+// Tests the origin of lengths across a rail.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -14,7 +14,7 @@ using Catch::Matchers::WithinAbs;
 
 namespace {
 
-/// Points of a circle every 0.7 mm, none at y = 0.
+/// Returns points of a circle every 0.7 mm, none at y = 0.
 ProfilePoints circle_beside_its_top(double of_rail, double first) {
     ProfilePoints points;
     for (double y = first; y <= 30; y += 0.7)
@@ -55,7 +55,7 @@ TEST_CASE("Lengths along a profile that ends before y = 0 are counted from its e
 }
 
 TEST_CASE("Lengths along a profile that doubles back are counted from the point nearest to the origin") {
-    // A head with its sides below, or without them.
+    // Creates a head with or without its lower sides.
     const bool doubles_back = GENERATE(true, false);
     ProfilePoints head;
     if (doubles_back) head.points = {{-34, 14}, {-35, 11}};

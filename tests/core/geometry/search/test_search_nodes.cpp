@@ -1,4 +1,4 @@
-// The nodes by which reference programs look for contacts.
+// Tests the nodes of reference programs for the search for contacts.
 #include "geometry/search/search_nodes.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -20,7 +20,7 @@ using namespace contactd::geometry;
 TEST_CASE("Search nodes of a round wheel are an odd number of lines of its profile's points") {
     const WheelSurface wheel(make_profile({ProfileKind::wheel, S1002{}}).curve, Wheelset{}, {});
     const NodeMesh mesh = search_nodes(wheel, 0.2);
-    CHECK(mesh.columns() == 385);  // 115 mm over 0.3 mm, and two
+    CHECK(mesh.columns() == 385);  // 115 mm over 0.3 mm, plus two
     CHECK_THAT(mesh.node(0, 3).x, WithinAbs(-460.0 / 8, 1e-12));
     CHECK_THAT(mesh.node(192, 3).x, WithinAbs(0, 1e-12));
     CHECK_THAT(mesh.node(384, 3).x, WithinAbs(460.0 / 8, 1e-12));
@@ -36,7 +36,7 @@ TEST_CASE("Search nodes of an out-of-round wheel reach so far as an angle") {
         profile, Wheelset{}, {}, {},
         std::make_shared<const OutOfRound>(std::vector<double>{-1, 1}, std::vector<ProfileCurve>{profile, profile}));
     const NodeMesh mesh = search_nodes(wheel, 0.2);
-    CHECK(mesh.columns() == 233);  // 184 mm over 0.8 mm, and two, made odd
+    CHECK(mesh.columns() == 233);  // 184 mm over 0.8 mm, plus two, made odd
     const Vector3 last = mesh.node(232, 100), lowest = mesh.node(116, 100);
     CHECK_THAT(std::atan2(last.x, last.z + 460), WithinAbs(0.2, 1e-12));
     CHECK_THAT(lowest.x, WithinAbs(0, 1e-12));

@@ -1,4 +1,4 @@
-// Ready-made sections with strips on them.
+// Creates ready-made sections with strips on them.
 #pragma once
 
 #include <catch2/generators/catch_generators_range.hpp>

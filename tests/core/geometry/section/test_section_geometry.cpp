@@ -115,7 +115,7 @@ TEST_CASE("An inclined rail is the same one, rotated towards the gauge", "[secti
 TEST_CASE("A wheel's rim lies above its tread and runs to the flange", "[section]") {
     const SectionGeometry section({WheelRimSection{60, -20}}, 80, 0.5);
     const auto frames = section.frames();
-    CHECK_THAT(std::abs(frames[40].angle), WithinAbs(pi, 0.06));  // 20.25 mm on from -20 mm: beside the tape circle
+    CHECK_THAT(std::abs(frames[40].angle), WithinAbs(pi, 0.06));  // 20.25 mm from -20 mm, next to the tape circle
     CHECK_THAT(frames[40].y, WithinAbs(-0.25, 1e-3));
     CHECK_THAT(frames[40].z, WithinAbs(0, 0.02));
     CHECK(frames[0].y > 19);

@@ -130,7 +130,7 @@ TEST_CASE("Strips that begin on another side of the body than `from` is counted 
     CHECK_NOTHROW(SectionGeometry({ProfileSection{arc, 40, 20}}, 4, 0.5));
     for (const double from : {-100.0, 200.0})
         refuses({WheelRimSection{.from = from}}, "section.rim_s1002.from", "must begin on the profile");
-    // Round bodies have no other side.
+    // Round bodies have no opposite side.
     OutlineSection disc{.outside = {{-10, 0}, {{ArcTo{{10, 0}, 10}}, {ArcTo{{-10, 0}, 10}}}}, .from = -5};
     disc.holes = {{{1, 0}, {{ArcTo{{-1, 0}, -1}, true}, {ArcTo{{1, 0}, -1}, true}}}};
     CHECK_NOTHROW(SectionGeometry({disc}, 4, 0.5));

@@ -1,4 +1,4 @@
-// Frames of strips along a circle.
+// Returns frames of strips along a circle.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace contactd::test {
 
-/// About the origin and its top; radius < 0: in a hollow, about its bottom.
+/// Places strips about the origin and its top; radius < 0: in a hollow, about its bottom.
 inline std::vector<StripFrame> circle(double radius, int strips, double ds) {
     std::vector<StripFrame> frames;
     for (int i = 0; i < strips; ++i) {

@@ -23,7 +23,7 @@ namespace {
 constexpr std::array axes = {x, y, z};
 constexpr double nu = 0.28, self = 0.2019960;  // zz of an element of the half-space on itself, ds = dx = 0.5, G = 1
 
-// nn, xx, ss, ns, sn between two strips.
+// Holds nn, xx, ss, ns, sn between two strips.
 using Row = std::array<double, 5>;
 Row row(const StripTable& table, int I, int J, int k) {
     return {table(z, z, I, J, k), table(x, x, I, J, k), table(y, y, I, J, k), table(z, y, I, J, k),

@@ -1,4 +1,4 @@
-// Coefficients of half-spaces of the standard linear solid that roll.
+// Tests coefficients of rolling half-spaces of the standard linear solid.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -37,7 +37,7 @@ double integral(const std::function<double(double)>& g, double a, double b, doub
            integral(g, m, b, fm, fr, fb, tolerance / 2, depth - 1);
 }
 
-/// The delayed coefficient of one body by quadrature in t = exp(-s/l), whose weight is one.
+/// Computes the delayed coefficient of one body by quadrature in t = exp(-s/l), whose weight is one.
 double delayed(Axis i, Axis j, double x, double y, const Grid& grid, const Material& body, double l) {
     const auto at = [&](double s) { return half_space_coefficient(i, j, x + s, y, grid.dx, grid.dy, body); };
     double sum = 0, from = 0;
@@ -104,7 +104,7 @@ TEST_CASE("delayed coefficients follow those at once at the rate of creep", "[vi
         for (std::size_t at = 0; at < with.values.size(); ++at) with.values[at] -= without.values[at];
         return with;
     };
-    // E - l dE/dd = A, by differences about a point off the edges of the load.
+    // Checks E - l dE/dd = A, by differences at a point away from the edges of the load.
     const double place = 0.13;
     const ShiftedTable now = E(place), ahead = E(place + step), behind = E(place - step), ahead2 = E(place + 2 * step),
                        behind2 = E(place - 2 * step), A = rolling_table_ahead(rolling(0), grid, place);

@@ -1,4 +1,4 @@
-// An accuracy that is asked for, and what an answer tells of its own.
+// Tests a requested accuracy, and the estimate of an answer's own accuracy.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -23,7 +23,7 @@ double largest_traction(const ContactSolution& solution) {
     return found;
 }
 
-/// Forces over the normal force, and largest values over these.
+/// Returns forces over the normal force, and largest values over these.
 double difference(const WheelRailSolution& one, const WheelRailSolution& other) {
     double found = 0;
     REQUIRE(one.patches.size() == other.patches.size());
@@ -39,7 +39,7 @@ double difference(const WheelRailSolution& one, const WheelRailSolution& other) 
     return found;
 }
 
-/// A wheelset that hunts, at one of its steps.
+/// Creates a hunting wheelset, at one of its steps.
 WheelRailState step(int number) {
     const double way = 0.05 * number;
     WheelRailState state;

@@ -1,4 +1,5 @@
-// Steps of a wheel on a rail where the force falls as patches merge, so that several heights bring one force.
+// Tests steps of a wheel on a rail in which the force decreases as patches merge, so that several heights have the same
+// force.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -15,7 +16,7 @@ using Catch::Matchers::WithinRel;
 
 namespace {
 
-/// On a head that leans by 1/20, near the flange's throat: three regions merge to two as the load grows.
+/// Uses a head inclined by 1/20, near the flange's throat, where three regions merge to two as the load grows.
 WheelRailSetup merging() {
     WheelRailSetup setup;
     setup.rail.shape = Rail60E1{1.0 / 20};
@@ -33,7 +34,7 @@ WheelRailState under(double Fz) {
     return state;
 }
 
-/// The last step of some loads one after the other.
+/// Returns the last step of some successive loads.
 WheelRailSolution last_of(const WheelRailContact& contact, const std::vector<double>& loads) {
     WheelRailEstimates estimates;
     Observer observer;
@@ -53,7 +54,7 @@ TEST_CASE("A step stays on the branch of the step before where two heights bring
     for (const WheelRailSolution& solution : {apart, merged}) {
         CHECK(solution.converged());
         CHECK_THAT(solution.forces.track.Fz, WithinRel(92500, 1e-6));
-        // At the height that was found the force is that, too.
+        // The force at the computed height is the prescribed one.
         WheelRailState state = under(1);
         state.Fz.reset();
         state.position.z = solution.z;

@@ -1,4 +1,4 @@
-// A step of a wheel on its rail leaves estimates to the next one.
+// Tests estimates that a step of a wheel on its rail leaves for the next one.
 #include "wheel_rail/position/estimates.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -14,7 +14,7 @@ namespace {
 
 using Patch = WheelRailEstimates::Patch;
 
-/// Pressures that tell where they are.
+/// Creates pressures that identify their positions.
 Patch patch_on(const Grid& grid, double y) {
     Patch patch{grid, y, {}, 0, {}};
     for (int iy = 0; iy < grid.ny; ++iy)

@@ -1,4 +1,4 @@
-// Heights at which a wheel carries its load where forces jump with the height.
+// Tests heights at which a wheel carries its load if forces jump with the height.
 #include <algorithm>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -24,7 +24,7 @@ TEST_CASE("Penetration models bring the load where another element becomes the d
             const WheelRailSolution found = contact.solve(state, observer);
             CHECK(found.converged());
             CHECK_THAT(found.forces.track.Fz, WithinRel(50e3, 1e-6));
-            // At heights close by the force is less, and more.
+            // At adjacent heights the force is smaller, and larger.
             state.Fz.reset();
             state.position.z = found.z - 1e-6;
             CHECK(contact.solve(state, observer).forces.track.Fz < 50e3);

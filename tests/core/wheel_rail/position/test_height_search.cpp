@@ -121,7 +121,7 @@ TEST_CASE("A first force far beyond the prescribed one is only the estimate's fa
 }
 
 TEST_CASE("Of several heights that bring a force the nearest to the step before is found, and the fall is told") {
-    // Rises through the target, falls to half of it over 0.004 mm, and rises again: patches that merge.
+    // The force exceeds the target, decreases to half of it over 0.004 mm, and increases again, as when patches merge.
     const auto estimate = [](double z) { return power(z - 0.3, 1.5); };
     const double drop = GENERATE(0.437, 0.438, 0.439);
     const auto force = [&](double z) {

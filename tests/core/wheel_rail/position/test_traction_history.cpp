@@ -1,4 +1,4 @@
-// Tractions of patches that move, grow, merge and split.
+// Tests tractions of patches that move, grow, merge and split.
 #include "wheel_rail/position/traction_history.hpp"
 
 #include <catch2/catch_test_macros.hpp>
