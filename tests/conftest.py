@@ -1,4 +1,5 @@
-"""What every Python test gets: more time where programs are slow, a process to run in, and a check that it leaves no thread behind."""
+"""Provides settings for every Python test: more time if programs are slow, a separate process, and a check that no
+threads remain."""
 
 from __future__ import annotations
 
@@ -15,8 +16,8 @@ from support.slowness import SLOWER
 # contactd_local is built beside the programs.
 sys.path.insert(0, str(BIN.parent / "lib" / "python"))
 
-# A run started in the background of a script ignores SIGINT, and so would every program it starts; the tests that
-# interrupt something need the usual behaviour whoever starts them.
+# A run started in the background of a script ignores SIGINT, and so would every program it starts. Tests of
+# interruptions need the default behaviour in any case.
 signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
@@ -25,7 +26,7 @@ pytest_plugins = ["support.scheduling"]
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Time limits are those of programs that are SLOWER."""
+    """Time limits are increased if the programs are SLOWER."""
     for item in items:
         limit = item.get_closest_marker("timeout")
         seconds = limit.args[0] if limit else float(config.getini("timeout"))

@@ -1,12 +1,12 @@
-"""./dev test [--all | --long] [NAME...] [-- OPTIONS] builds, and runs C++ tests by ctest and Python tests by pytest.
+"""Builds and runs C++ tests by ctest and Python tests by pytest: ./dev test [--all | --long] [NAME...] [-- OPTIONS].
 
-  NAME      runs the files that have it in their path below tests/: integration/test_jobs, core/contact, client/python, rolling;
-            where there is none, the files that have it in the name of a test
-  --all     slow tests, too, and without a NAME also builds what no test needs, fuzz targets, benchmarks and random problems,
-            and fuzzes what reads messages, under sanitizers
-  --long    the same and long tests, and core and daemon once more with FFTW's transforms. Without a NAME, ./dev then runs
+  NAME      runs the files with NAME in their path below tests/: integration/test_jobs, core/contact, client/python, rolling;
+            if there are none, the files with NAME in the name of a test
+  --all     also runs slow tests. Without a NAME, it also builds everything that no test needs, fuzz targets, benchmarks and
+            random problems, and fuzzes readers of messages under sanitizers
+  --long    also runs long tests, and tests core and daemon again with FFTW's transforms. Without a NAME, ./dev then runs
             each command of tests/documented_commands.txt, so that a release is tested with all of them
-  OPTIONS   are handed to pytest
+  OPTIONS   are passed to pytest
 """
 
 from __future__ import annotations
@@ -25,31 +25,32 @@ TESTS = Path(__file__).resolve().parent
 ROOT = TESTS.parent
 BUILD = ROOT / "build" / "development"
 FFTW = ROOT / "build" / "fftw"
-#: What the Python tests run.
+#: Programs that the Python tests run.
 PROGRAMS = ("contactd", "contactd-ic", "contactd_local", "contactd_cntc", "contactd-cpp-example", "contactd-c-examples", "contactd-fmus", "congruence-drivers")
-#: What reads bytes of others, under AddressSanitizer and UBSan, and commands that read files of others, ten seconds each.
+#: Fuzz targets: readers of untrusted bytes, under AddressSanitizer and UBSan, and commands that read untrusted files,
+#ten seconds each.
 FUZZING = ["./dev", "fuzz", "10", "request", "session", "reply", "array", "commands"]
-#: What a build with FFTW's transforms is tested with, beside core: the daemon, contacts and wheels on rails.
+#: Tests of a build with FFTW's transforms in addition to core: the daemon, contacts and wheels on rails.
 WITH_FFTW = ("test_check_config", "test_solve", "test_sessions", "test_wheel_rail", "test_conformal")
 #: No test needs them.
 EXTRAS = ("fuzz", "benchmarks", "random_problems")
 PROCESSORS = len(os.sched_getaffinity(0))
-#: What a process of Python tests, its daemons and their builders may need at a time.
+#: Memory that a process of Python tests, its daemons and their builders may need at a time.
 BYTES_OF_A_WORKER = 2 << 30
 NO_TEST_LEFT = 5
 
 
 @dataclass(frozen=True)
 class Source:
-    """A file with tests, by its path below tests/ without the ending."""
+    """Describes a file with tests, by its path below tests/ without the extension."""
 
     path: str
     file: Path
-    target: str | None  # of a C++ program; none of a Python file
+    target: str | None  # target of a C++ program; empty for a Python file
 
     @property
     def names(self) -> str:
-        """Of the tests in the file, a line each."""
+        """Returns the tests in the file, one per line."""
         pattern = r"^ *def (test_\w+)" if self.target is None else r'^TEST_CASE\((".*?")'
         return "\n".join(re.findall(pattern, self.file.read_text(), re.MULTILINE))
 
@@ -60,13 +61,13 @@ def python_tests() -> list[Source]:
 
 
 def cpp_tests(listed: str) -> list[Source]:
-    """`listed`: the lines that CMake writes, of test, source and target."""
+    """`listed` contains the lines written by CMake: test, source and target."""
     found = {line.split("\t")[1]: line.split("\t")[2] for line in listed.splitlines()}
     return [Source(str(Path(source).with_suffix("")), TESTS / source, target) for source, target in found.items()]
 
 
 def choose(tests: Sequence[Source], names: Iterable[str]) -> list[Source]:
-    """Those that the names stand for; a ValueError, which says what there is, for a name that stands for none."""
+    """Returns the files that the names select. Raises ValueError, listing valid names, for an unknown name."""
     chosen: set[Source] = set()
     for name in names:
         part = re.sub(r"\.(py|cpp|cmake)$", "", name.removeprefix("./").removeprefix("tests/")).rstrip("/").lower()
@@ -79,13 +80,14 @@ def choose(tests: Sequence[Source], names: Iterable[str]) -> list[Source]:
 
 
 def workers() -> int:
-    """How many processes run Python tests at a time: one more than processors, as they often wait, as far as the memory goes."""
+    """Returns the number of parallel processes for Python tests: one more than processors, because they often wait,
+    limited by the memory."""
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     return max(1, min(PROCESSORS + 1, memory // BYTES_OF_A_WORKER))
 
 
 class Effort(IntEnum):
-    """Which tests run: those of seconds; slow ones, too, as in CI; and long ones, as before a release."""
+    """Selects tests: fast ones; slow ones, too, as in CI; or long ones, as before a release."""
 
     QUICK = 0
     ALL = 1
@@ -93,7 +95,7 @@ class Effort(IntEnum):
 
     @property
     def left_out(self) -> list[str]:
-        """Labels of ctest, marks of pytest."""
+        """Returns labels of ctest or marks of pytest."""
         return ["slow", "long"][self :]
 
 
@@ -121,18 +123,18 @@ def cpp_command(chosen: Sequence[Source] | None, effort: Effort) -> list[str]:
 
 def python_command(chosen: Sequence[Source] | None, effort: Effort, options: Sequence[str]) -> list[str]:
     files = [str(TESTS)] if chosen is None else [str(test.file) for test in chosen if test.target is None]
-    # Who runs all of them sees where the time goes.
+    # Times are shown when all tests run.
     command = [sys.executable, "-m", "pytest", *(["--durations", "25"] if effort else [])]
     if effort.left_out:
         command += ["-m", " and ".join(f"not {mark}" for mark in effort.left_out)]
     if (processes := workers() if chosen is None else min(workers(), len(files))) > 1:
-        # A process that crashes ends the run: pytest-xdist would start another one, and then wait without end.
+        # A crashed process ends the run; pytest-xdist would otherwise start another one, and then wait forever.
         command += ["-n", str(processes), "--dist", "loadgroup", "--max-worker-restart", "0"]
     return [*command, *options, *files]
 
 
 class Run:
-    """Runs the parts, and knows how long each took and which failed."""
+    """Runs the parts, and records their times and failures."""
 
     def __init__(self) -> None:
         self.took: list[str] = []
@@ -177,7 +179,7 @@ def main(arguments: Sequence[str]) -> int:
         if chosen is None or any(test.target for test in chosen):
             run.part("C++ tests", cpp_command(chosen, effort))
         if chosen is None or any(test.target is None for test in chosen):
-            fine = (0,) if chosen is None else (0, NO_TEST_LEFT)  # all that were named are left out
+            fine = (0,) if chosen is None else (0, NO_TEST_LEFT)  # all named tests are excluded
             run.part("Python tests", python_command(chosen, effort, options), fine)
         if with_fftw:
             run_with_fftw(run)

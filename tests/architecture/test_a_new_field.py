@@ -1,9 +1,9 @@
-"""A field that is new to a wheel on its rail, or to a contact, is declared in its struct and its schema, and nowhere else
-by hand. Slip laws and methods are named in few files.
+"""Tests that a new field of a wheel on its rail, or of a contact, is declared by hand in its struct and its schema
+only. Slip laws and methods are named in few files.
 
-The tree is copied, and a number, a word and a signed number of an answer are added there, and to contacts a number, an
-option of finite elements and a slip law. From two files each follow lists, bounds, messages, mirrored wheels, paths of the
-C interface, variables of FMUs and values of Python.
+The tree is copied. A number, a word and a signed number of an answer are added there, and to contacts a number, an
+option of finite elements and a slip law. From two files each, the generator derives lists, bounds, messages, mirrored
+wheels, paths of the C interface, variables of FMUs and values of Python.
 """
 
 from __future__ import annotations
@@ -78,10 +78,10 @@ assert sent["ics"] == {"source": "fem", "probe": 3}
 assert sent["friction"]["kinetic"]["law"] == "probe"
 assert (sent["probe"], sent["friction"]["probe"]) == (5, 4)
 """
-#: A method of each family, and those whose work is not little, whose cost stands beside their handler.
+#: Lists a method of each family, and expensive methods, whose cost is next to their handler.
 METHODS = ["ic.delete", "job.cancel", "session.forget", "solves.pressures"]
 METHODS += ["contact.subsurface", "contact.temperature", "wheelrail.geometry", "wheelrail.wheelset", "session.step_many"]
-#: Folders with sources. The interface of CONTACT has numbers of its own, for the laws that CONTACT has.
+#: Lists folders with sources. CONTACT's interface has its own numbers for CONTACT's laws.
 SUFFIXES = {".cpp", ".hpp", ".h", ".c", ".py", ".f90"}
 SOURCES = ["core", "engine", "proto/src", "server", "client/c", "client/cpp", "client/fmu", "client/python/contactd"]
 
@@ -135,7 +135,7 @@ def test_python_has_a_new_field(tree: EditedTree) -> None:
 
 
 def files_with(pattern: str) -> set[Path]:
-    """Sources that are written by hand, in which the pattern is found."""
+    """Returns the handwritten sources that contain the pattern."""
     files = (path for folder in SOURCES for path in (ROOT / folder).rglob("*.*") if path.suffix in SUFFIXES)
     return {path for path in files if "generated" not in path.parts and re.search(pattern, path.read_text())}
 
@@ -148,7 +148,8 @@ def test_a_slip_law_is_named_in_few_files() -> None:
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_method_is_named_in_few_files(method: str) -> None:
-    """In its two schemas, its handler, the client of Python, and the client of C++, whose header declares a function."""
+    """A method is named in its two schemas, its handler, the client of Python, and the client of C++, whose header
+    declares a function."""
     schemas = {ROOT / "proto" / "schema" / f"{method}.{part}.json" for part in ("params", "result")}
     assert all(path.exists() for path in schemas)
     named = files_with(rf'"{re.escape(method)}"')

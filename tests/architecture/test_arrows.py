@@ -1,4 +1,4 @@
-"""The arrows between folders: every #include goes along those of arrows.txt."""
+"""Tests that every #include follows an arrow between folders in arrows.txt."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pytest
 ROOT = Path(__file__).parents[2]
 LIST = Path(__file__).with_name("arrows.txt")
 TARGETS = ("core", "cases", "proto", "engine", "client/c", "client/cpp", "client/cntc", "client/fmu", "client/python/local", "server")
-#: Where #include "..." is looked for, beside the folder of the file itself.
+#: Lists folders in which #include "..." is searched, in addition to the folder of the file itself.
 PLACES = ("core/include", "core/types/generated/include", "core/src", "core/fem", "core", "cases/include", "cases", "", "proto/include", "proto/src", "client/c/include", "client/c/src", "client/cpp/include", "client/cpp/src", "client/cntc/include", "client/cntc/src", "client/fmu", "server/src", "server/contactd_ic")  # fmt: skip
 PUBLIC = ("core/include/contactd/", "cases/include/contactd/")
 
@@ -21,10 +21,10 @@ PUBLIC = ("core/include/contactd/", "cases/include/contactd/")
 class Arrows:
     """What arrows.txt says."""
 
-    direct: dict[str, list[str]] = field(default_factory=dict)  # folder: those behind its arrow
-    headers: dict[str, str] = field(default_factory=dict)  # public header without a source: its folder
+    direct: dict[str, list[str]] = field(default_factory=dict)  # maps a folder to the folders after its arrow
+    headers: dict[str, str] = field(default_factory=dict)  # maps a public header without a source to its folder
     libraries: dict[str, list[str]] = field(default_factory=dict)  # how an #include begins: folders that may have it
-    debts: set[tuple[str, str]] = field(default_factory=set)  # file, and what it should not include
+    debts: set[tuple[str, str]] = field(default_factory=set)  # a file, and its forbidden include
 
     @classmethod
     def read(cls, text: str) -> Arrows:
@@ -50,7 +50,7 @@ class Arrows:
         return next((str(above) for above in PurePosixPath(file).parents if str(above) in self.direct), None)
 
     def reach(self, folder: str) -> set[str]:
-        """The folders that arrows lead to from this one, and itself. Raises when they lead back to it."""
+        """Returns the folders that arrows lead to from this one, and itself. Raises if they form a cycle."""
         reached, open_ends = {folder}, list(self.direct[folder])
         while open_ends:
             end = open_ends.pop()
@@ -63,7 +63,7 @@ class Arrows:
 
 
 def source_of(header: str) -> str:
-    """The source with the name of a public header; "" when there is none."""
+    """Returns the source with the name of a public header; "" if there is none."""
     name = Path(header).with_suffix(".cpp").name
     folders = ("core/types", "core/profile_files", "core/src", "core/fem", "cases")
     found = [path for folder in folders for path in (ROOT / folder).rglob(name) if path.parent.name != "generated"]
@@ -79,7 +79,7 @@ def includes(file: str, opening: str, closing: str) -> list[str]:
 
 
 def own_includes(file: str) -> Iterator[str]:
-    """Files of ours that `file` includes."""
+    """Returns the project's files that `file` includes."""
     for name in includes(file, '"', '"'):
         places = [(ROOT / file).parent, *(ROOT / place for place in PLACES)]
         if found := next((place / name for place in places if (place / name).is_file()), None):
@@ -87,7 +87,7 @@ def own_includes(file: str) -> Iterator[str]:
 
 
 def against(arrows: Arrows) -> dict[tuple[str, str], str]:
-    """Includes, as pairs of files, that go along no arrow, and what is wrong with them."""
+    """Returns includes without an arrow, as pairs of files, and the errors in them."""
     wrong = {}
     for file in sources():
         start = arrows.folder_of(file)
@@ -100,7 +100,7 @@ def against(arrows: Arrows) -> dict[tuple[str, str], str]:
 
 
 def outside(arrows: Arrows) -> list[str]:
-    """Includes of libraries where they do not belong."""
+    """Returns includes of libraries in places where they are not allowed."""
     return [
         f"{file} includes <{name}>, which is for {' and '.join(folders)} only"
         for file in sources()
@@ -126,7 +126,7 @@ def test_no_two_folders_at_the_top_include_from_each_other() -> None:
     tops = {(file.split("/")[0], other.split("/")[0]) for file in sources() for other in own_includes(file)}
     arrows = Arrows({top: sorted(other for one, other in tops if one == top != other) for top in {one for one, _ in tops}})
     for top in arrows.direct:
-        arrows.reach(top)  # raises where they lead back
+        arrows.reach(top)  # raises if there is a cycle
     assert arrows.reach("core") == {"core"}
 
 

@@ -1,4 +1,4 @@
-"""A folder holds twenty files at most, so that one glance takes it in; docs/architecture.md names those that hold more."""
+"""Tests that a folder contains at most twenty files; docs/architecture.md names exceptions."""
 
 import re
 import subprocess
@@ -10,7 +10,7 @@ MOST = 20
 
 
 def named() -> set[str]:
-    """The folders that the page names where it speaks of them."""
+    """Returns the folders that the page names as exceptions."""
     page = (ROOT / "docs/architecture.md").read_text()
     paragraph = next(text for text in page.split("\n\n") if "more than twenty files" in text)
     return {name for name in re.findall(r"`([^`]+)`", paragraph) if not name.endswith(".py")}

@@ -1,4 +1,4 @@
-"""A slow test says why it is: `./dev test` leaves it out, and everybody waits for it with `--all`."""
+"""Tests that a slow test states its reason: `./dev test` skips it, and `--all` has to wait for it."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ SLOW_CPP = re.compile(r'^(.*)\nTEST_CASE\("[^\n]*",\s+"[^"]*\[slow\]"', re.MULTI
 
 
 def slow_tests() -> list[tuple[Path, str, bool]]:
-    """File, what stands there, and whether that says why."""
+    """Yields the file, its comment, and whether the comment states the reason."""
     found = []
     for path in sorted(TESTS.rglob("*.py")):
         found += [(path, match[0], "  # " in match[0]) for match in SLOW_PYTHON.finditer(path.read_text())]

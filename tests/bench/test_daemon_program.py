@@ -1,4 +1,4 @@
-"""Which contactd the programs of bench/ start."""
+"""Tests which contactd the programs of bench/ start."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""The table of ./dev bench: each row's time, and its ratio to what was measured beside it."""
+"""Tests the table of ./dev bench: the time of each row, and its ratio to the recorded one."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What ./dev bench --plot runs and writes: each model from few elements to many, and its cost for an element."""
+"""Tests ./dev bench --plot: each model from few elements to many, and its cost per element."""
 
 import os
 import signal
@@ -18,7 +18,7 @@ NAMES = ["simplified/hertz/n:10", "simplified/hertz/n:100", "conformal/n:10", "c
 
 @pytest.fixture
 def program(tmp_path):
-    """Stands for bench_scaling: it lists its rows; a row writes its process to the file `row` and takes an hour."""
+    """Replaces bench_scaling: it lists its rows; a row writes its process to the file `row` and takes an hour."""
     file = tmp_path / "bench_scaling"
     lines = "".join(f"echo {name}\n" for name in NAMES)
     file.write_text(

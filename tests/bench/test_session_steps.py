@@ -1,4 +1,4 @@
-"""How programs of bench/ that speak ZeroMQ read answers."""
+"""Tests how programs of bench/ that use ZeroMQ read answers."""
 
 import json
 
@@ -8,7 +8,7 @@ from session_steps import answered
 
 
 class Socket:
-    """Has messages to be received."""
+    """Provides messages to be received."""
 
     def __init__(self, *envelopes):
         self._messages = [[json.dumps(envelope).encode(), b"frame"] for envelope in envelopes]

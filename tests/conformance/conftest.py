@@ -1,4 +1,4 @@
-"""The suite holds the daemon to docs/protocol.md. It never uses the client library."""
+"""Tests whether the daemon conforms to docs/protocol.md, without using the client library."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from conformance.wire import RECORD, Daemon, Peer
 Start = Callable[..., Daemon]
 
 
-#: What only a defect of the daemon would bring about, and what nobody is there to hear.
+#: Lists reasons that only a defect of the daemon would cause, or that no client could receive.
 UNREACHABLE = {"UNEXPECTED", "CLIENT_GONE"}
 
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """The whole suite runs in one process (pytest-xdist), whose record is looked at in the end."""
+    """The whole suite runs in one process (pytest-xdist), whose record is checked at the end."""
     for item in items:
         if item.path.parent == Path(__file__).parent:
             item.add_marker(pytest.mark.xdist_group("conformance"))
 
 
 def _is_whole(session: pytest.Session) -> bool:
-    """Whether the suite ran with every scenario, and none has failed."""
+    """Returns whether the suite ran with every scenario, and none has failed."""
     folder = Path(__file__).parent
     modules = {item.path for item in session.items if item.path.parent == folder}
     chosen = session.config.option.keyword or any("::" in argument for argument in session.config.args)
@@ -38,7 +38,7 @@ def _is_whole(session: pytest.Session) -> bool:
 
 
 def _unseen(methods: set[str]) -> set[str]:
-    """Methods that were never answered with OK, and reasons of the protocol page that were never given."""
+    """Returns methods that were never answered with OK, and reasons of the protocol page that never occurred."""
     page = (Path(__file__).parents[2] / "docs" / "protocol.md").read_text()
     rows = re.findall(r"^\| [A-Z_]+ \| ([A-Z_, ]+) \|", page, re.MULTILINE)
     reasons = {reason for row in rows for reason in row.split(", ")}
@@ -51,7 +51,7 @@ def _unseen(methods: set[str]) -> set[str]:
 
 @pytest.fixture(scope="session", autouse=True)
 def every_message_is_as_described(request: pytest.FixtureRequest) -> Iterator[None]:
-    """Holds all that was received against the schemas of the OpenRPC document that the daemon itself hands out.
+    """Checks after a complete run that every method was answered and every reason occurred.
 
     Of a whole run, also that every method was answered and every reason was given.
     """
@@ -88,7 +88,7 @@ def every_message_is_as_described(request: pytest.FixtureRequest) -> Iterator[No
 
 @pytest.fixture(scope="module")
 def shared() -> Iterator[Daemon]:
-    """One daemon for a module whose scenarios do not disturb each other."""
+    """Provides one daemon for a module whose scenarios do not affect each other."""
     daemon = Daemon({})
     yield daemon
     daemon.finish()
@@ -102,7 +102,7 @@ def peer(shared: Daemon) -> Iterator[Peer]:
 
 @pytest.fixture
 def start() -> Iterator[Start]:
-    """start(section={...}) starts a daemon with that configuration for one scenario."""
+    """start(section={...}) starts a daemon with this configuration for one scenario."""
     daemons: list[Daemon] = []
 
     def begin(**config: Any) -> Daemon:

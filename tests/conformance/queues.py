@@ -1,4 +1,4 @@
-"""Requests that stand in line."""
+"""Fills queues with requests."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from conformance.wire import Peer
 
 
 def line_up(onlooker: Peer, peer: Peer, method: str, params: Any, times: int = 1, **envelope: Any) -> Any:
-    """Sends, and waits until the requests stand in the queue, as `onlooker` sees; the ids."""
+    """Sends requests, waits until they are queued, as `onlooker` observes, and returns their ids."""
 
     def waiting() -> int:
         return onlooker.ask("server.info").result["queue"]["solves_waiting"]

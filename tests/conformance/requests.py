@@ -1,4 +1,4 @@
-"""Parameters that several scenarios use."""
+"""Provides parameters that several scenarios use."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ SOLVE: dict[str, Any] = {
     "gap": {"paraboloid": {"Rx": 50, "Ry": 50}},
     "approach": 0.02,
 }
-#: A solve that ends by being ended only.
+#: A solve that only ends when it is cancelled.
 ENDLESS: dict[str, Any] = {
     **SOLVE,
     "grid": {"nx": 80, "ny": 80, "dx": 0.03, "dy": 0.03},

@@ -1,4 +1,4 @@
-"""Arrays as lists and as frames, both ways."""
+"""Tests arrays as lists and as frames, in both directions."""
 
 import json
 
@@ -43,7 +43,7 @@ def test_a_table_has_four_axes(peer):
 
 
 def test_one_frame_may_be_named_twice(peer):
-    # The gap's frame also as friction of each element.
+    # Uses the gap's frame also as friction of each element.
     friction = np.full((NY, NX), 0.3)
     params = {**with_gap(FRAME), "friction": {"mu": FRAME, "rigid_shift": [0.001, 0]}}
     assert peer.ask("contact.solve", params, friction.tobytes()).result["converged"]

@@ -1,4 +1,4 @@
-"""Influence coefficients: the two ways to ask for them, coefficients of one's own, and builds that fail."""
+"""Tests influence coefficients: both ways to request them, provided coefficients, and failing builds."""
 
 import shutil
 
@@ -32,7 +32,7 @@ def test_a_mesh_of_too_many_elements_is_refused(peer):
 def test_a_closed_form_has_no_error_to_state(peer):
     result = peer.ask("ic.get", TABLE).result
     assert result["origin"] == "closed_form"
-    assert set(result["evidence"]) == {"source", "version"}  # nothing was computed that could be wrong
+    assert set(result["evidence"]) == {"source", "version"}  # closed forms have no numerical errors
 
 
 def test_coefficients_beyond_a_doubles_range_are_refused(peer):
@@ -156,13 +156,13 @@ def test_a_cancelled_job_ends_for_all_who_wait(shared, peer):
 
 @pytest.fixture(scope="module")
 def pair(shared):
-    """Those of a pair of equal bodies, by the closed form: shape [3, 3, ny, nx]."""
+    """Returns coefficients of a pair of equal bodies, by the closed form: shape [3, 3, ny, nx]."""
     material = SOLVE["bodies"]["upper"]
     with shared.peer() as connected:
         reply = connected.ask("ic.get", {"material": material, "grid": SOLVE["grid"], "ics": SOLVE["ics"]})
         one = reply.array(reply.result["table"])
     sign = np.ones((3, 3, 1, 1))
-    sign[[0, 1, 2, 2], [2, 2, 0, 1]] = 0  # equal bodies: what is subtracted vanishes
+    sign[[0, 1, 2, 2], [2, 2, 0, 1]] = 0  # equal bodies have vanishing differences
     return 2 * one * sign
 
 

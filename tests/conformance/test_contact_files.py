@@ -1,4 +1,4 @@
-"""Input files of the CONTACT program: their text in a request, their cases in answers."""
+"""Tests input files of the CONTACT program: their text in a request, their cases in answers."""
 
 from conformance.wire import INVALID_ARGUMENT, NOT_FOUND, OK
 

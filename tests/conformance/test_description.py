@@ -1,4 +1,4 @@
-"""What the daemon says of itself is what it does."""
+"""Tests that the daemon conforms to its own description."""
 
 import pytest
 from jsonschema import Draft7Validator
@@ -63,7 +63,7 @@ def test_every_parameter_is_described(document):
     ids=lambda part: part if isinstance(part, str) else "",
 )
 def test_every_answer_is_as_described(peer, method, params, arrays):
-    # The suite holds each message that came against the description when it ends.
+    # At its end, the suite checks every received message against the description.
     assert peer.ask(method, params, arrays=arrays).code == OK
 
 

@@ -1,4 +1,4 @@
-"""Frame 0: what a request must be, and what becomes of one that is not."""
+"""Tests frame 0: requirements on a request, and answers to invalid ones."""
 
 import json
 

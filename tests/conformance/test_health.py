@@ -1,4 +1,4 @@
-"""The state of the daemon, asked for and watched."""
+"""Tests the state of the daemon, requested and watched."""
 
 import zmq
 
@@ -7,7 +7,7 @@ from conformance.wire import OK, UNAVAILABLE
 
 
 def states(peer):
-    """Those that come as progress, and the reply."""
+    """Returns the states reported as progress, and the reply."""
     seen = []
     while (message := peer.message()).is_progress:
         seen.append(message.progress["state"])

@@ -1,4 +1,4 @@
-"""What server.info allows is what is allowed, in both directions, and what is beyond it costs nobody but its sender."""
+"""Tests the limits of server.info in both directions; exceeding them affects only the sender."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""Steps of several sessions in one message, and steps that are solved anew."""
+"""Tests steps of several sessions in one message, and repeated steps."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ from conformance.wire import (
 
 @pytest.fixture
 def sessions(peer):
-    """The names of three sessions."""
+    """Provides the names of three sessions."""
     names = [peer.ask("session.open", SOLVE).result["session"] for _ in range(3)]
     yield names
     for name in names:
@@ -50,7 +50,7 @@ def test_arrays_stand_in_the_order_of_the_steps(peer, sessions):
     assert len(many.frames) == 3
     frames = [one["result"]["pressure"]["$array"]["frame"] for one in many.result["steps"]]
     assert frames == [1, 2, 3]
-    again = [peer.ask("session.step", one) for one in steps]  # each session has its own answer still
+    again = [peer.ask("session.step", one) for one in steps]  # each session still has its own answer
     assert [one.frames[0] for one in again] == many.frames
 
 

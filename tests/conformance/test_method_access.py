@@ -1,4 +1,4 @@
-"""Methods that are switched off, or given to others, and builds likewise."""
+"""Tests methods and builds that are disabled, or restricted to other users."""
 
 from conformance.requests import QUICK_BUILD, TABLE
 from conformance.wire import OK, UNIMPLEMENTED

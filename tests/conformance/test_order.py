@@ -1,4 +1,5 @@
-"""Whose turn it is. One worker is kept busy while requests line up; an endless one at the wrong place would show."""
+"""Tests the order of work. One worker is busy while requests are queued; an endless one at the wrong position would be
+noticed."""
 
 import numpy as np
 import pytest
@@ -12,7 +13,7 @@ PASSED_OVER = 16
 
 @pytest.fixture
 def busy(start):
-    """A daemon of one worker, which a first peer keeps busy until it cancels."""
+    """Provides a daemon with one worker, which a first peer keeps busy until it cancels."""
     daemon = start(workers=1)
     with daemon.peer() as first:
         name = first.send("contact.solve", ENDLESS)
@@ -28,7 +29,7 @@ def test_clients_take_turns(busy):
         line_up(busy.onlooker, modest, "contact.subsurface", STRESS)
         busy.release()
         assert greedy.message().id == endless[0]
-        # The first one of the greedy client runs, and is ended; then it is the other one's turn.
+        # The first request of the greedy client runs, and is ended; then the other client has its turn.
         greedy.cancel(endless[0])
         assert modest.reply().code == OK
         greedy.cancel(endless[1])
@@ -70,7 +71,7 @@ def test_what_waits_for_a_peer_that_has_gone_is_dropped(busy):
     with busy.peer() as leaves:
         line_up(busy.onlooker, leaves, "contact.solve", ENDLESS, times=3)
     while busy.onlooker.ask("server.info").result["queue"]["solves_waiting"] > 0:
-        pass  # as long as the time limit of a test lets it
+        pass  # within the time limit of a test
     with busy.peer() as stays:
         line_up(busy.onlooker, stays, "contact.subsurface", STRESS)
         busy.release()
@@ -110,7 +111,7 @@ def test_requests_that_wait_are_bounded(start):
         assert other.message().progress["stage"]
         assert peer.message().progress["state"]
         assert refused(peer.ask("contact.solve", SOLVE), "max_queue)")
-        assert peer.ask("server.health").code == OK  # answered at once, so never too many
+        assert peer.ask("server.health").code == OK  # answered immediately, so there are never too many
         peer.cancel(names[0])
         assert peer.ask("contact.solve", SOLVE).code == OK
         other.cancel(names[1])

@@ -1,4 +1,4 @@
-"""Answers that are too large for a message: refused before the work, with a word on what to ask for instead."""
+"""Tests answers that are too large for a message: they are refused before the work, with a suggestion."""
 
 import numpy as np
 import pytest
@@ -28,7 +28,7 @@ def guest(small):
 
 @pytest.fixture(scope="module")
 def table(shared):
-    """The whole table, from a daemon without such limits."""
+    """Returns the whole table, from a daemon without such limits."""
     with shared.peer() as connected:
         reply = connected.ask("ic.get", WHOLE)
         return reply.array(reply.result["table"])

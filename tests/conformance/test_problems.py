@@ -1,4 +1,4 @@
-"""Contact problems: what is an answer, what is an error, whose sign is which."""
+"""Tests contact problems: answers, errors, and signs."""
 
 import math
 
@@ -144,7 +144,7 @@ def test_temperatures_meet_in_contact_and_the_leading_element_has_half_of_its_he
     (behind, trailing, leading), (lower_behind, *in_contact) = answer["upper_temperature"][0], answer["lower_temperature"][0]
     assert [trailing, leading] == pytest.approx(in_contact)
     assert behind > lower_behind
-    # Slip of 0.01 makes the upper surface the slower one.
+    # With a slip of 0.01 the upper surface is the slower one.
     upper, lower = (1e-3 * math.sqrt(50 * 7850 * 450) * math.sqrt(20000 * speed) for speed in (0.995, 1.005))
     own = 2 * math.sqrt(0.5) * 240 * 0.01 * 20000 / ((upper + lower) * math.sqrt(math.pi))
     assert leading == pytest.approx(80 * upper / (upper + lower) + own)

@@ -1,4 +1,5 @@
-"""Sessions: a number is answered once, what fails changes nothing, states are gone back to, and the end is the end."""
+"""Tests sessions: each number is answered once, failures change nothing, states can be restored, and ended sessions
+stay ended."""
 
 import time
 

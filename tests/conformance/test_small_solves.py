@@ -41,7 +41,7 @@ def test_a_small_solve_that_makes_no_sense_is_refused(peer):
 
 
 def test_a_small_solve_waits_for_no_worker_only_when_it_is_alone(peer):
-    """With the worker busy it takes its turn like all others; the daemon answers what is quick meanwhile."""
+    """While the worker is busy, it takes its turn like all others; meanwhile the daemon answers fast requests."""
     endless = peer.send("contact.solve", ENDLESS)
     assert peer.message().progress["stage"]
     waiting = peer.send("contact.solve", QUICK)

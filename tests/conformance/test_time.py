@@ -1,4 +1,4 @@
-"""Deadlines, cancellation and progress: a request ends when its client wants it to, whatever it is."""
+"""Tests deadlines, cancellation and progress: any request ends when its client cancels it."""
 
 import json
 
@@ -12,7 +12,7 @@ STRESSES = {
     "grid": {"nx": 160, "ny": 160, "dx": 1, "dy": 1},
     "nu": 0.3,
     "pressure": [[(k * k + 7 * l) % 5 for k in range(160)] for l in range(160)],
-    # No raster: every point is a sum over all elements.
+    # The points form no grid, so every point is a sum over all elements.
     "block": {"x": [n**0.5 for n in range(1000)], "y": [n**0.5 for n in range(1000)], "z": [-1, -2]},
 }
 MANY = {"problems": [ENDLESS, SOLVE]}
@@ -31,7 +31,7 @@ SLOW = pytest.mark.parametrize(
 
 
 def nothing_runs(peer):
-    """Abandoned jobs end at their next iteration; builds go on for the cache."""
+    """Abandoned jobs end at their next iteration; builds continue for the cache."""
     return all(job["kind"] == "build" for job in peer.ask("job.list").result["jobs"])
 
 
@@ -76,7 +76,7 @@ def test_a_deadline_does_not_wait_for_a_worker(start):
         assert peer.message().progress["stage"]
         waiting = peer.send("contact.solve", SOLVE, timeout_ms=50)
         assert [(m.id, m.reason) for m in [peer.reply()]] == [(waiting, "DEADLINE_PASSED")]
-        # An envelope too large for the I/O thread to read: its deadline counts from its arrival all the same.
+        # An envelope is too large for the I/O thread to read, but its deadline counts from its arrival.
         gap = [[0.0123456789] * 80] * 80
         large = peer.send("contact.solve", {**ENDLESS, "gap": {"array": gap}}, timeout_ms=50)
         assert [(m.id, m.reason) for m in [peer.reply()]] == [(large, "DEADLINE_PASSED")]

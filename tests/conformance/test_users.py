@@ -1,4 +1,4 @@
-"""What one user may ask for, and what becomes of a user who is not allowed any more."""
+"""Tests limits of one user, and the handling of a user who is no longer allowed."""
 
 import signal
 
@@ -34,7 +34,7 @@ def test_a_user_has_so_many_requests_open_over_all_sockets(start):
 
 @pytest.fixture
 def guarded(tmp_path):
-    """A daemon that encrypts, the folder of its allowed keys, and the keys of its user alice."""
+    """Provides a daemon with encryption, the folder of its allowed keys, and the keys of its user alice."""
     for folder, name in (("server", "server"), ("users", "alice"), ("users", "bob")):
         (tmp_path / folder).mkdir(exist_ok=True)
         zmq.auth.create_certificates(tmp_path / folder, name)

@@ -1,6 +1,7 @@
-"""contactd's wire, spoken with nothing but ZeroMQ and JSON: docs/protocol.md is all that this knows of the daemon.
+"""Implements contactd's wire with ZeroMQ and JSON only, based on docs/protocol.md alone.
 
-Every message that a Peer receives is kept in RECORD, and held against the daemon's own OpenRPC document when the suite ends.
+RECORD stores every message that a Peer receives. When the suite ends, they are checked against the daemon's own
+OpenRPC document.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ OK, CANCELLED, INVALID_ARGUMENT, DEADLINE_EXCEEDED, NOT_FOUND = 0, 1, 3, 4, 5
 RESOURCE_EXHAUSTED, FAILED_PRECONDITION, ABORTED, UNIMPLEMENTED = 8, 9, 10, 12
 INTERNAL, UNAVAILABLE, UNAUTHENTICATED = 13, 14, 16
 
-#: What was received: the method of the request ("" when not known), and the envelope.
+#: Holds received messages: the method of the request ("" if unknown), and the envelope.
 RECORD: list[tuple[str, dict[str, Any]]] = []
 
 
@@ -74,7 +75,7 @@ class Message:
         return self.envelope["result"]
 
     def array(self, value: Any) -> np.ndarray[Any, Any]:
-        """The array that `value` of this message stands for: a list, or a reference to a frame."""
+        """Returns the array that `value` of this message represents: a list, or a reference to a frame."""
         if isinstance(value, list):
             return np.array(value)
         reference = value["$array"]
@@ -84,14 +85,14 @@ class Message:
 
 @dataclass(frozen=True)
 class Keys:
-    """For CURVE, in Z85: the daemon's public key, and a pair of one's own."""
+    """Holds keys for CURVE, in Z85: the daemon's public key, and the client's own pair."""
 
     server: bytes
     own: tuple[bytes, bytes]
 
 
 class Peer:
-    """One socket. Ids are this peer's own; what is received is recorded."""
+    """Represents one socket, with its own ids; received messages are recorded."""
 
     def __init__(self, endpoint: str, kind: int = zmq.DEALER, keys: Keys | None = None) -> None:
         self._context = zmq.Context()
@@ -123,7 +124,7 @@ class Peer:
         self.socket.send_multipart(parts)
 
     def message(self) -> Message:
-        """The next message, progress or reply."""
+        """Returns the next message, progress or reply."""
         assert self.socket.poll(TIMEOUT_MS), "no message within half a minute"
         text, *frames = self.socket.recv_multipart()
         message = Message(json.loads(text), frames)
@@ -131,7 +132,7 @@ class Peer:
         return message
 
     def reply(self) -> Message:
-        """The next reply, whatever progress comes before it."""
+        """Returns the next reply, after any progress."""
         while (message := self.message()).is_progress:
             pass
         return message
@@ -143,11 +144,11 @@ class Peer:
         return reply
 
     def ask_text(self, text: str | bytes, *frames: bytes) -> Message:
-        """Sends frame 0 as it is; where it has an id, that is "x"."""
+        """Sends frame 0 unchanged; if it has an id, it is "x"."""
         try:
             self._methods["x"] = json.loads(text)["method"]
         except (ValueError, KeyError, TypeError, RecursionError):
-            pass  # what cannot be read, or lacks it, has no result either
+            pass  # an unreadable reply, or one without it, has no result either
         self.send_bytes(text.encode() if isinstance(text, str) else text, *frames)
         return self.reply()
 
@@ -157,14 +158,14 @@ class Peer:
         assert (self.reply().code, self.reply().code) == (CANCELLED, OK)
 
     def is_silent(self) -> bool:
-        """That nothing is under way: an answer asked for now is the next message."""
+        """Checks that no work is running: an answer requested now must be the next message."""
         name = self.send("server.health")
         return self.message().id == name
 
 
 @dataclass
 class Daemon:
-    """A daemon in a folder of its own."""
+    """Runs a daemon in its own folder."""
 
     config: dict[str, Any]
     folder: Path = field(default_factory=lambda: Path(tempfile.mkdtemp(prefix="contactd-wire-")))
@@ -195,7 +196,7 @@ class Daemon:
         self.process.send_signal(signal.SIGTERM)
 
     def finish(self) -> None:
-        """Ends it in order; nothing but its log, configuration and tables may be left."""
+        """Ends the daemon in order; only its log, configuration and tables may remain."""
         try:
             self.process.terminate()
             try:

@@ -1,4 +1,4 @@
-"""The pages of a documentation site that was built, read without a browser."""
+"""Reads the pages of a built documentation site, without a browser."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from urllib.parse import unquote, urlsplit
 
 @dataclass
 class Page(HTMLParser):
-    """What one page has of links, anchors, pictures and headings."""
+    """Holds links, anchors, pictures and headings of a page."""
 
     path: Path
     titles: list[str] = field(default_factory=list)
@@ -22,7 +22,7 @@ class Page(HTMLParser):
     ids: list[str] = field(default_factory=list)
     links: list[str] = field(default_factory=list)
     loaded: list[str] = field(default_factory=list)  # scripts, styles, pictures
-    images: list[tuple[str, str]] = field(default_factory=list)  # source and what stands for it
+    images: list[tuple[str, str]] = field(default_factory=list)  # source and replacement text
     language: str = ""
     _inside: str = ""
 
@@ -66,12 +66,12 @@ class Site:
         self.pages = {path: Page(path) for path in sorted(folder.rglob("*.html")) if "_static" not in path.parts}
 
     def documents(self) -> Iterator[Page]:
-        """Those that are written, without search, indices, and the way from the root."""
+        """Returns the written pages, without search and indices, with their paths from the root."""
         made = {self.folder / f"{name}.html" for name in ("index", "search", "genindex", "py-modindex")}
         return (page for path, page in self.pages.items() if path not in made)
 
     def broken(self) -> list[str]:
-        """Links and sources that lead nowhere in the folder."""
+        """Returns links and sources without a target in the folder."""
         return [f"{path.relative_to(self.folder)}: {target}" for path, page in self.pages.items() for target in page.links + page.loaded if not self.leads_somewhere(page, target)]
 
     def leads_somewhere(self, page: Page, target: str) -> bool:
@@ -85,7 +85,7 @@ class Site:
 
 
 def luminance(colour: str) -> float:
-    """Relative luminance of #rgb or #rrggbb (WCAG 2, its definition)."""
+    """Returns the relative luminance of #rgb or #rrggbb, as defined in WCAG 2."""
     digits = {"white": "ffffff", "black": "000000"}.get(colour, colour.lstrip("#"))
     digits = "".join(2 * digit for digit in digits) if len(digits) == 3 else digits
     parts = [int(digits[i : i + 2], 16) / 255 for i in (0, 2, 4)]
@@ -94,15 +94,15 @@ def luminance(colour: str) -> float:
 
 
 def contrast(one: str, other: str) -> float:
-    """1 to 21 (WCAG 2, its contrast ratio)."""
+    """Returns the contrast ratio of WCAG 2, from 1 to 21."""
     dark, light = sorted((luminance(one), luminance(other)))
     return (light + 0.05) / (dark + 0.05)
 
 
 def code_colours(style: str, selector: str) -> tuple[str, list[str]]:
-    """Ground and letters of code, by Pygments' style sheet."""
+    """Returns the background and text colours of code in Pygments' style sheet."""
     rules = re.findall(rf"^{re.escape(selector)} ?([^{{]*) {{ ([^}}]*)}}", style, re.MULTILINE)
     ground = next(found[1] for name, rule in rules if not name and (found := re.search(r"background: (#\w+)", rule)))
-    errors = {".err", ".hll", ".gd", ".gi", ".gr", ".gt", ".w"}  # no page has them, or no letter
+    errors = {".err", ".hll", ".gd", ".gi", ".gr", ".gt", ".w"}  # occurs on no page, or formats no letters
     letters = [found[1] for name, rule in rules if name not in errors and "background" not in rule and (found := re.search(r"(?<!-)color: (#\w+)", rule))]
     return ground, letters

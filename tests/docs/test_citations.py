@@ -1,4 +1,5 @@
-"""What the paper cites is in its bibliography, each entry says where it appeared, and the page on citing says the same."""
+"""Tests that the paper's bibliography contains all cited entries, that each entry states its publication, and that the
+page on citing agrees."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ import yaml
 ROOT = Path(__file__).parents[2]
 PAPER = (ROOT / "paper" / "paper.md").read_text()
 ENTRIES = {key: (kind, body) for kind, key, body in re.findall(r"^@(\w+)\{(\w+),\n(.*?)^\}", (ROOT / "paper" / "paper.bib").read_text(), re.MULTILINE | re.DOTALL)}
-#: Kind of entry: the fields that it has at least.
+#: Kind of entry: its required fields.
 FIELDS = {
     "article": {"author", "title", "journal", "volume", "pages", "doi", "year"},
     "book": {"author", "title", "publisher", "address", "year"},

@@ -1,4 +1,5 @@
-"""Each recipe of the cookbook, and the first lines of the front page, run by themselves and have the answers they promise."""
+"""Tests that each recipe of the cookbook, and the first lines of the front page, run separately and have the
+documented answers."""
 
 from __future__ import annotations
 
@@ -8,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import matplotlib  # here, since it takes a package whose name that of tests/packaging hides once this is collected
+import matplotlib  # imported here, because collecting tests/packaging hides a package with the same name
 import pytest
 
 from support.daemons import BIN
@@ -47,7 +48,8 @@ HOLDS: dict[str, Callable[[Names], bool]] = {
     "A ball on a coating": lambda n: n["coated"].approach < 0.9 * n["solid"].approach,
     "A surface of your own": lambda n: n["solution"].Fn == pytest.approx(100, rel=1e-6),
     "Wear of a wheel": lambda n: n["wear"].T_gamma > 0 and 0 < n["depth"] < 1e-4,
-    # Johnson: 0.62 of the largest pressure for nu = 0.3 at a depth of 0.48 a, in terms of the largest von Mises' stress.
+    # By Johnson, 0.62 of the largest pressure for nu = 0.3 at a depth of 0.48 a, in terms of the largest von Mises
+    # stress.
     "Stresses below the surface": lambda n: (
         n["stress"].largest.von_mises / n["solution"].pmax == pytest.approx(0.63, abs=0.015)
     ),
@@ -60,7 +62,7 @@ HOLDS: dict[str, Callable[[Names], bool]] = {
 @pytest.fixture
 def a_place_to_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)  # where recipes write
-    monkeypatch.setenv("PATH", f"{BIN}:{os.environ['PATH']}")  # where the builder of tables is
+    monkeypatch.setenv("PATH", f"{BIN}:{os.environ['PATH']}")  # finds the builder of tables
     monkeypatch.delenv("CONTACTD_ENDPOINT", raising=False)
 
 

@@ -1,4 +1,4 @@
-"""The C++ of the pages compiles as it stands there. That of client/cpp is its example, which is built and run."""
+"""Tests that the C++ code of the pages compiles. The code of client/cpp is its example, which is built and run."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 HEADERS = ("contactd/client/client.hpp", "contactd/client/session.hpp", "iostream")
-#: Of code that is a part of a function.
+#: Marks code that is a part of a function.
 FRAME = "{includes}\nvoid snippet() {{\n{code}\n}}\n"
 
 

@@ -1,4 +1,5 @@
-"""The five programs of README and of the page on Python: at most five lines each, in process and by a daemon."""
+"""Tests the five programs of README and of the page on Python: at most five lines each, in process and with a
+daemon."""
 
 from __future__ import annotations
 

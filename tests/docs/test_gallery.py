@@ -1,4 +1,4 @@
-"""The gallery has every picture of the pages once, with a page that shows it and a command that exists."""
+"""Tests that the gallery has every picture of the pages once, with a page that shows it and a command that exists."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""The glossary is sorted, its names of the wire are there, and it has the terms that an expert looks for."""
+"""Tests that the glossary is sorted, that its wire names exist, and that it contains the terms that experts look
+for."""
 
 import json
 import re
@@ -23,7 +24,7 @@ EXPECTED = [
 
 
 def words_of_the_wire():
-    """Names and values that the schemas declare."""
+    """Returns names and values that the schemas declare."""
     found = set()
 
     def visit(schema):
@@ -63,23 +64,23 @@ def test_a_term_of_the_field_has_an_entry(term):
 
 @pytest.mark.parametrize("term", CONTACT_TERMS)
 def test_a_term_of_contact_is_on_a_page(term):
-    """Which is what the site's search needs (test_site.py)."""
+    """The site's search requires it (test_site.py)."""
     words = set(re.findall(r"\w+", term.lower()))
     assert any(words <= on_page for on_page in PAGES.values())
 
 
-#: Not the changelog, whose entries stay as they were released.
+#: Excludes the changelog, whose released entries do not change.
 WRITTEN_HERE = [page for folder in ("", "docs/", "docs/developing/", "docs/paper/", "client/*/") for page in ROOT.glob(f"{folder}*.md") if page.name != "CHANGELOG.md"]
-#: Expressions that pages quote, and why.
+#: Expressions that pages quote, with reasons.
 NAMED = {
-    "CONTRIBUTING.md": ["bodies that differ"],  # an example of what not to write
+    "CONTRIBUTING.md": ["bodies that differ"],  # an example of a forbidden expression
     "wheel-rail.md": ["bears? (?:its|their) force"],  # a warning
 }
 
 
 @pytest.mark.parametrize("page", WRITTEN_HERE, ids=lambda page: str(page.relative_to(ROOT)))
 def test_pages_have_the_words_of_the_field(page):
-    """But for code, and for what ./dev docs writes from the schemas."""
+    """Excludes code, and text that ./dev docs writes from the schemas."""
     text = page.read_text().partition("<!-- What follows is written by ./dev docs")[0]
     text = re.sub(r"^```.*?^```|`[^`\n]*`", "", text, flags=re.MULTILINE | re.DOTALL)
     found = everyday(text)

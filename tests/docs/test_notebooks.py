@@ -1,4 +1,4 @@
-"""The notebooks run as they stand there. What must hold of their results is asserted in their last cells."""
+"""Tests that the notebooks run unchanged. Their last cells assert properties of their results."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def test_there_are_notebooks():
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda path: path.stem)
 def test_a_notebook_is_kept_without_results(notebook):
-    """They are computed again when the site is built: jupyter nbconvert --clear-output --inplace FILE."""
+    """The site recomputes them. To remove outputs, run jupyter nbconvert --clear-output --inplace FILE."""
     cells = [cell for cell in json.loads(notebook.read_text())["cells"] if cell["cell_type"] == "code"]
     assert cells
     assert not [cell["id"] for cell in cells if cell["outputs"] or cell["execution_count"]]

@@ -1,4 +1,5 @@
-"""The pages can be read as text, their links lead somewhere, and they are complete. Needs no daemon and no build."""
+"""Tests that the pages are readable as text and complete, and that their links have targets. Needs no daemon and no
+build."""
 
 import json
 import re
@@ -8,10 +9,10 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-CHANGELOG = ROOT / "CHANGELOG.md"  # an entry is a sentence is a line
+CHANGELOG = ROOT / "CHANGELOG.md"  # an entry is one line with one sentence
 FOLDERS_OF_PAGES = ("*.md", "client/*/*.md", "tests/*.md", "docs/*.md", "docs/developing/*.md", "docs/reference/*.md", "docs/reference/*/*.md")
 WRITTEN = sorted(chain(*(ROOT.glob(pattern) for pattern in FOLDERS_OF_PAGES)))
-NOTEBOOKS = sorted((ROOT / "docs" / "tutorials").glob("*.ipynb"))  # which test_notebooks.py runs
+NOTEBOOKS = sorted((ROOT / "docs" / "tutorials").glob("*.ipynb"))  # test_notebooks.py runs them
 COMPUTED = sorted((ROOT / "docs" / "paper").glob("*.md"))  # by ./dev paper
 LINE_LENGTH = 120  # lines are shorter
 FOLDERS = ("bench", "client", "configs", "core", "docs", "engine", "packaging", "proto", "server", "tests")
@@ -24,7 +25,7 @@ def named(pages):
 
 
 def prose(page):
-    """Number and text of the lines that are neither code nor a row of a table."""
+    """Returns number and text of the lines that are neither code nor a row of a table."""
     fenced = False
     for number, line in enumerate(page.read_text().splitlines(), 1):
         if line.lstrip().startswith("```"):
@@ -34,13 +35,13 @@ def prose(page):
 
 
 def anchors(page):
-    """Of the headings, as the web shows them: lower case, hyphens for spaces, no other signs."""
+    """Returns anchors of the headings, as on the web: lower case, hyphens for spaces, no other signs."""
     headings = [line.lstrip("#").strip().lower() for _, line in prose(page) if line.startswith("#")]
     return [re.sub(r"[^\w\- ]", "", heading).replace(" ", "-") for heading in headings]
 
 
 def links(page):
-    """File and anchor of those that stay within the repository, in tables too."""
+    """Returns file and anchor of links within the repository, including those in tables."""
     text = re.sub(r"^```.*?^```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
     for target in re.findall(r"\]\(([^()\s]+)\)", text):
         if not re.match(r"\w+:", target):
@@ -69,7 +70,7 @@ def test_no_two_headings_have_the_same_anchor(page):
 
 def test_every_page_is_in_a_list_of_the_index():
     index = ROOT / "docs" / "index.md"
-    lists = [index, *(ROOT / "docs" / "reference").glob("*.md")]  # the reference has pages of its own
+    lists = [index, *(ROOT / "docs" / "reference").glob("*.md")]  # the reference has separate pages
     points = [page.parent / target for page in lists for target in re.findall(r"^\* \[[^\]]+\]\(([^)#]+)\)", page.read_text(), re.MULTILINE)]
     listed = {target.resolve() for target in points}
     assert len(listed) == len(points), "a page is listed once"
@@ -92,7 +93,8 @@ def test_pages_that_sources_name_exist():
 
 @pytest.mark.parametrize("page", named(page for page in WRITTEN if page != CHANGELOG))
 def test_files_that_pages_name_exist(page):
-    """By their paths, in which capitals stand for any name; in guides and of C++ by their names alone, too."""
+    """Finds documented names by their paths, in which capitals represent any name; in guides and for C++ also by their
+    names alone."""
     guide = str(page.relative_to(ROOT)) in GUIDES
     names = {re.sub("[A-Z]{4,}", "*", name) for name in re.findall(r"`([\w/.*-]+)`", page.read_text())}
     paths = {name for name in names if name.startswith(FOLDERS) and "/" in name}
@@ -115,7 +117,7 @@ def test_the_page_of_the_cpp_client_states_the_problem_of_its_example():
 
 
 def fields(schema, path=""):
-    """Path and default of every field of a configuration."""
+    """Yields path and default of every field of a configuration."""
     for name, field in schema.get("properties", {}).items():
         if "properties" in field:
             yield from fields(field, f"{path}{name}.")
@@ -128,7 +130,7 @@ def test_the_configuration_page_has_every_field_and_its_default():
     rows = dict(re.findall(r"^\| `([a-z_]\w*(?:\.\w+)*)` \| ([^|]*) \|", page, re.MULTILINE))
     defaults = dict(fields(json.loads((ROOT / "configs" / "schema.json").read_text())))
     assert rows.keys() == defaults.keys()
-    del defaults["builds.environment"]  # a long list, of which the page has the beginning
+    del defaults["builds.environment"]  # a long list, of which the page shows the beginning
     for name, default in defaults.items():
         shown = rows[name].partition(":")[0] if default in ("", 0) else rows[name]
         word = default if isinstance(default, str) and default else json.dumps(default)

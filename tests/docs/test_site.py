@@ -1,4 +1,5 @@
-"""The documentation site: it builds without a warning, and is whole by itself. Slow, since it is built."""
+"""Tests that the documentation site builds without a warning and is complete. This is slow, because it builds the
+site."""
 
 from __future__ import annotations
 
@@ -24,7 +25,7 @@ from .site_pages import Site, code_colours, contrast, luminance
 ROOT = Path(__file__).parents[2]
 READABLE = 4.5  # WCAG 2, level AA
 
-pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # the site is built, with its notebooks
+pytestmark = [pytest.mark.slow, pytest.mark.timeout(600)]  # builds the site with its notebooks
 
 
 @pytest.fixture(scope="module")
@@ -99,7 +100,7 @@ def test_every_public_name_of_python_c_and_cpp_is_in_the_reference(site):
     words = set(re.findall(r"\b(CONTACTD_\w+) = \d", header))
     assert len(functions) > 40 and len(words) > 20
     assert not functions - names
-    assert not words - {name.rpartition(".")[2] for name in names}  # those of enums without a name
+    assert not words - {name.rpartition(".")[2] for name in names}  # anchors of enums without a name
     structs = re.findall(r"^(?:struct|class) (\w+) (?:final )?[:{]", _headers_of_types(), re.MULTILINE)
     assert len(structs) > 60
     assert not {"contactd::client::Client::solve", *(f"contactd::{name}" for name in structs)} - names
@@ -119,7 +120,7 @@ def test_the_wire_is_there_as_files(site):
 
 @pytest.fixture(scope="module")
 def pages_with(site: Site) -> Callable[[str], set[str]]:
-    """The pages that the site's search finds for a stem."""
+    """Returns the pages that the site's search finds for a stem."""
     index = json.loads((site.folder / "searchindex.js").read_text().removeprefix("Search.setIndex(").removesuffix(")"))
 
     def pages(stem: str) -> set[str]:
@@ -137,7 +138,7 @@ def test_the_search_knows_words_of_pages_headers_and_docstrings(pages_with):
 
 
 def test_the_search_finds_the_terms_of_contact(pages_with):
-    """On a page of the manual, by all of the words that somebody types."""
+    """Searches for pages of the manual that contain all of the typed words."""
     english = SearchEnglish({})
 
     def is_found(term: str) -> bool:
@@ -175,7 +176,7 @@ def test_the_version_is_in_sight_and_in_titles(site):
 
 
 def test_no_page_is_as_long_as_the_whole_reference(site):
-    """In bytes; with all of Python, or of C++, on one page it was ten times as long."""
+    """Limits the bytes of a page; with all of Python, or of C++, on one page it was ten times as large."""
     assert not [page.path for page in site.documents() if page.path.stat().st_size > 700_000]
 
 
@@ -186,7 +187,7 @@ def _open(browser: Browser, page: Path) -> None:
 
 
 def _colours(browser: Browser, selector: str) -> tuple[str, str]:
-    """Ground and letters, as #rrggbb."""
+    """Returns background and text colours, as #rrggbb."""
     style = f"getComputedStyle(document.querySelector({json.dumps(selector)}))"
     found = browser.evaluate(f"[{style}.backgroundColor, {style}.color]")
     ground, letters = (
@@ -234,7 +235,7 @@ def test_no_page_is_cut_off_at_its_right_or_light_in_the_dark_and_every_picture_
     with Browser(tmp_path) as browser:
         for page in site.documents():
             _open(browser, page.path)
-            for width in (390, 1100, 1330, 1700):  # a telephone; between them the contents of page and site come in
+            for width in (390, 1100, 1330, 1700):  # width of a phone; above it, the contents of page and site appear
                 browser.resize(width, 900)
                 assert browser.evaluate(look) == {"cut": 0, "missing": []}, (page.path, width)
             browser.send("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": "dark"}])

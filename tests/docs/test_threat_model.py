@@ -1,10 +1,11 @@
-"""The threat model of docs/security.md has a row for each method, and for each kind of file that is read."""
+"""Tests that the threat model of docs/security.md has a row for each method, and for each kind of file that is
+read."""
 
 import re
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
-#: What reads files that are named to it, below the root, and a word of the row of these files.
+#: Maps readers of files with given names, below the root, to a word in the row of these files.
 READERS = {
     "client/python/contactctl/array_files.py": "`.npy`",
     "client/python/contactctl/cases/files.py": "`.out`",

@@ -1,4 +1,4 @@
-"""The parts that build the documentation site, one at a time. They need no build."""
+"""Tests the parts that build the documentation site, separately. They need no build."""
 
 from __future__ import annotations
 
@@ -107,7 +107,7 @@ def test_comments_of_the_c_header_are_marked_for_every_declaration_that_they_sta
 
 
 def test_no_comment_of_the_c_header_is_lost(part):
-    """As one in a style that the filter does not know would be."""
+    """Uses a style that the filter does not support."""
     marked = part("c_header").marked((ROOT / "client" / "c" / "include" / "contactd.h").read_text())
     assert marked.count("@name") > 5
     assert not re.findall(r"/\*(?!\*).*", marked)

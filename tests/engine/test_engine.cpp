@@ -34,7 +34,7 @@ IcSpec block_spec() {
     return spec;
 }
 
-/// An engine in a folder of its own, whose builder is a script of the shell ($3 is the output).
+/// Creates an engine in its own folder, whose builder is a shell script ($3 is the output).
 class Workshop {
    public:
     explicit Workshop(const std::string& script) {
@@ -90,7 +90,7 @@ TEST_CASE("A solve on half-spaces makes neither thread nor folder") {
     const SolveReply reply = engine.solve(ball_on_plate(), observer);
     CHECK(reply.solution.converged());
     CHECK(reply.ics.upper->origin == "closed_form");
-    CHECK(reply.ics.lower->origin == "closed_form");  // one table for both, as a daemon says
+    CHECK(reply.ics.lower->origin == "closed_form");  // one table for both bodies, as with a daemon
     CHECK(threads_of_this_process() == before);
     CHECK_FALSE(fs::exists(folder));
 }

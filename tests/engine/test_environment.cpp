@@ -1,4 +1,4 @@
-// Settings of an engine by the environment.
+// Tests settings of an engine by the environment.
 #include "engine/environment.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -11,7 +11,7 @@ using namespace contactd::engine;
 
 namespace {
 
-/// Sets variables, or takes them away, for the time of a test.
+/// Sets or removes variables for the duration of a test.
 class Environment {
    public:
     explicit Environment(const std::map<std::string, const char*>& variables) {

@@ -1,1 +1,2 @@
-"""The same requests at the daemons of two commits, and their answers compared byte by byte (python3 -m equality --help)."""
+"""Sends the same requests to the daemons of two commits, and compares their answers byte by byte (python3 -m equality
+--help)."""

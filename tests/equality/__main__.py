@@ -1,15 +1,16 @@
-"""The same 300 random cases at the daemons of two commits; their answers must have the same bytes.
+"""Sends 300 random cases to the daemons of two commits, whose answers must have the same bytes.
 
     git worktree add build/before COMMIT && (cd build/before && ./dev build)
     ./dev build
     ./dev shell env PYTHONPATH=client/python:tests python3 -m equality \\
         --before build/before/build/development/bin --after build/development/bin
 
-Both folders hold contactd and contactd-ic of one preset: another compiler setting rounds differently. A case is a contact
-problem of some kind, a session, a table or a bad request, and consists of one or more requests, made by a generator with
-the seed of the case. Afterwards the later daemon gets the store of the earlier one and is asked for its tables again: none
-may be built, and all must be the same. Durations and versions are not compared. Differences that are meant are listed,
-with the reason, in tests/equality/differences.py (EXPLAINED), and printed apart. The exit status is 1 when there are others.
+Both folders contain contactd and contactd-ic of one preset, because other compiler settings round differently. A case
+is a contact problem, a session, a table or a bad request, and consists of one or more requests, made by a generator
+with the seed of the case. Afterwards the later daemon gets the store of the earlier one, and its tables are requested
+again: none may be built, and all must be the same. Durations and versions are not compared. Intended differences are
+listed, with the reason, in tests/equality/differences.py (EXPLAINED), and printed separately. The exit status is 1 if
+there are others.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ SHOWN = 30  # differences
 
 
 def compare(before: list[Played], after: list[Played], passed_over: str = "") -> dict[str, list[Difference]]:
-    """The differences of each answer that has any, by the case's number and kind and the request; without the explained."""
+    """Returns the unexplained differences of each answer, by the case's number and kind and the request."""
     found: dict[str, list[Difference]] = {}
     for one, other in zip(before, after, strict=True):
         where = f"case {one.case.number}, {one.case.kind}"
@@ -52,7 +53,7 @@ def compare(before: list[Played], after: list[Played], passed_over: str = "") ->
 
 
 def explained(before: list[Played], after: list[Played]) -> collections.Counter[str]:
-    """How many differences each entry of the list takes."""
+    """Counts the differences that each entry of the list explains."""
     return collections.Counter(
         entry.why
         for one, other in zip(before, after, strict=True)
@@ -112,7 +113,7 @@ def main(arguments: list[str]) -> int:
         try:
             before, after = (one.result() for one in both)
         finally:
-            stop.set()  # when one failed, or who waits for them was interrupted, the other daemon ends too
+            stop.set()  # if one failed or was interrupted, the other daemon ends too
         print_summary(before, after)
         found = compare(before.played, after.played)
         print_differences("the same requests", found)

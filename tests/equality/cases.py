@@ -1,4 +1,4 @@
-"""The cases: so many of each kind, in an order of their own, each with dice of its own."""
+"""Creates the cases: a number of each kind, in random order, each with its own generator."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def _of_hertz(dice: Dice) -> motions.MakeFriction:
     return motions.without(make, "kinetic", "chi", "phi", "spin_offset", "rotation")
 
 
-#: How many cases of a kind there are among 300, and what makes one.
+#: Maps kinds to the number of cases among 300 and the function that creates one.
 KINDS: dict[str, tuple[int, Make]] = {
     "normal contact": (20, lambda dice: contacts.normal(dice, contacts.half_spaces(dice))),
     "shift": (30, _half_spaces(motions.shift)),
@@ -53,7 +53,7 @@ KINDS: dict[str, tuple[int, Make]] = {
     "impossible table": (12, refusals.impossible_tables),
     "damaged request": (20, refusals.damaged),
 }
-#: The kinds whose tables lie in the store.
+#: Lists the kinds whose tables are in the store.
 STORED = ("finite-element table", "contact of finite elements")
 
 
@@ -64,12 +64,12 @@ class Case:
     seed: str
 
     def play(self) -> Play:
-        """The case from its beginning: its requests, each of which may depend on the answers before."""
+        """Plays the case from its beginning; each of its requests may depend on earlier answers."""
         return KINDS[self.kind][1](Dice(self.seed))
 
 
 def cases(count: int, seed: int) -> list[Case]:
-    """The first `count`; each 300 of them hold every kind as often as KINDS says."""
+    """Returns the first `count` cases; each 300 of them contain every kind as often as KINDS states."""
     kinds = [kind for kind, (often, _) in KINDS.items() for _ in range(often)]
     order = Dice(seed)
     drawn: list[str] = []

@@ -1,4 +1,4 @@
-"""Contact problems of every kind: each plays a few requests, of which the later ones use what the earlier ones found."""
+"""Creates contact problems of every kind. Each plays a few requests, of which later ones use earlier results."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def line_contact(dice: Dice) -> Params:
 
 
 def normal_load(dice: Dice, problem: Params, arrays: bool = True) -> Params:
-    """Adds a gap and an approach, and now and then settings."""
+    """Adds a gap and an approach, and sometimes settings."""
     make = random_surface if arrays and dice.chance(0.4) else random_paraboloid
     problem["gap"], depth = make(dice, problem["grid"])
     problem["approach"] = depth * (-1 if dice.chance(0.03) else 1)
@@ -66,7 +66,7 @@ def scale_of(problem: Params, answer: Answer) -> Scale:
 
 
 def normal(dice: Dice, problem: Params) -> Play:
-    """The approach, then a force near the one it takes, from an estimate or from nothing."""
+    """Prescribes the approach, then a force near the resulting one, with or without an estimate."""
     first = yield solve(dice, problem)
     if not first.ok:
         return
@@ -78,7 +78,7 @@ def normal(dice: Dice, problem: Params) -> Play:
 
 
 def with_friction(dice: Dice, problem: Params, make: MakeFriction, history: bool = True) -> Play:
-    """Without friction, with friction, and as often as not one step more from where that ended."""
+    """Solves without friction, with friction, and in half of the cases one more step from there."""
     first = yield solve(dice, problem)
     if not first.ok:
         return
@@ -101,7 +101,7 @@ def quick(dice: Dice, model: str, make: MakeFriction) -> Play:
 
 
 def given_table(dice: Dice, make: MakeFriction) -> Play:
-    """Coefficients of the pair that come with the request, made of those of two materials."""
+    """Provides coefficients of the pair in the request, from those of two materials."""
     grid = random_grid(dice, 3, 16)
     offsets = {name: grid[name] for name in ("nx", "ny", "dx", "dy")}
     tables = []
@@ -119,7 +119,7 @@ def given_table(dice: Dice, make: MakeFriction) -> Play:
 
 
 def many(dice: Dice) -> Play:
-    """Several problems in one request, one of them sometimes impossible."""
+    """Sends several problems in one request, sometimes with an impossible one."""
     problems = [half_spaces(dice, 12) for _ in range(dice.choice([2, 3, 5]))]
     for problem in problems:
         if dice.chance(0.7):

@@ -1,4 +1,4 @@
-"""What an answer holds, as a flat list of named values: JSON fields, arrays by their bytes, and what is inside of files."""
+"""Lists the contents of an answer as named values: JSON fields, arrays by their bytes, and contents of files."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ import numpy as np
 
 from .wire import Answer
 
-#: What is compared: the text of a number, a JSON value, or an Array.
+#: Types of compared values: the text of a number, a JSON value, or an Array.
 Contents = dict[str, Any]
-_USER_BLOCK = 512  # of an IC file: its digest
+_USER_BLOCK = 512  # digest of an IC file
 
 
 class Number(str):
-    """As it was written, so that 1 and 1.0, 0.0 and -0.0 are told apart."""
+    """Keeps the original text, so that 1 and 1.0, 0.0 and -0.0 differ."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Array:
 
 
 def contents(answer: Answer, names: dict[str, str]) -> Contents:
-    """`names` are words that no two daemons share, such as names of sessions, and what to put in their place."""
+    """`names` maps words that differ between daemons, such as names of sessions, to replacements."""
     text = answer.text.decode()
     for name, word in names.items():
         text = text.replace(name, word)
@@ -64,7 +64,7 @@ def _collect(path: str, node: Any, frames: list[bytes], found: Contents) -> None
 
 
 def _collect_file(path: str, data: bytes, found: Contents) -> None:
-    """An IC file: its size and all that HDF5 finds in it, in the order of the file."""
+    """Lists the contents of an IC file: its size and everything that HDF5 finds in it, in the order of the file."""
     found[f"{path} (size)"] = len(data)
     with h5py.File(io.BytesIO(data[_USER_BLOCK:]), "r") as file:
 

@@ -1,4 +1,4 @@
-"""Chance, and the parts of random contact problems: the same for a seed wherever it is asked."""
+"""Provides random numbers and the parts of random contact problems, reproducible by a seed on every machine."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-#: What goes over the wire; arrays are still numpy's.
+#: Values for the wire, whose arrays are still numpy's.
 Params = dict[str, Any]
 
 
@@ -47,7 +47,7 @@ def random_bodies(dice: Dice) -> Params:
 
 
 def random_paraboloid(dice: Dice, grid: Params) -> tuple[Params, float]:
-    """A gap, and a depth at which bodies of this gap touch in a part of the grid (mm)."""
+    """Returns a gap, and a depth at which bodies with this gap touch in a part of the grid (mm)."""
     half_x, half_y = 0.5 * grid["nx"] * grid["dx"], 0.5 * grid["ny"] * grid["dy"]
     if dice.chance(0.3):
         a = half_x * dice.uniform(0.3, 0.9)
@@ -59,7 +59,7 @@ def random_paraboloid(dice: Dice, grid: Params) -> tuple[Params, float]:
 
 
 def random_surface(dice: Dice, grid: Params) -> tuple[Params, float]:
-    """The same of a gap given as an array: rough, several bumps, conformal, flat, or a ridge."""
+    """Does the same for a gap given as an array: rough, several bumps, conformal, flat, or a ridge."""
     x = np.linspace(-1, 1, grid["nx"])[None, :]
     y = np.linspace(-1, 1, grid["ny"])[:, None]
     bend = dice.log_uniform(0.3, 3)

@@ -1,4 +1,4 @@
-"""Comparing the answers to one request: every bit, but for what no two runs have in common."""
+"""Compares the answers to one request bit by bit, except for values that differ between any two runs."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ import numpy as np
 
 from .contents import Array, Contents, Number
 
-#: Fields that say how long something took or which version ran: nobody asked for them to be the same.
+#: Fields with durations and versions, which are not compared.
 VOLATILE = re.compile(r"(^|[./_])(seconds|version)(\.|$)")
 
 
 @dataclass(frozen=True)
 class Explained:
-    """A difference that is meant: in answers to cases of this kind, in fields like this, and why."""
+    """Describes an intended difference: the kind of cases, the fields, and the reason."""
 
     kind: str
     field: str
@@ -26,7 +26,7 @@ class Explained:
         return re.fullmatch(self.kind, kind) is not None and re.fullmatch(self.field, field) is not None
 
 
-#: Kind and field are regular expressions for all of the name. An entry goes when both commits have what it speaks of.
+#: Kind and field are regular expressions for the whole name. Remove an entry when both commits contain the change.
 EXPLAINED: list[Explained] = [
     Explained(
         "impossible table",
@@ -77,7 +77,7 @@ def _text(value: Any) -> str:
 
 
 def _array_texts(one: Array, other: Array) -> tuple[str, str]:
-    """The element that differs most, and how many do."""
+    """Returns the element that differs most, and the number of differing ones."""
     a, b = one.numpy(), other.numpy()
     unlike = np.frombuffer(one.data, np.uint8) != np.frombuffer(other.data, np.uint8)
     count = int(unlike.reshape(a.size, -1).any(axis=1).sum())
@@ -91,7 +91,7 @@ def _array_texts(one: Array, other: Array) -> tuple[str, str]:
 
 
 def _long_texts(one: str, other: str) -> tuple[str, str]:
-    """The same place of both, where they begin to differ."""
+    """Returns the position in both at which they begin to differ."""
     at = next((n for n, (a, b) in enumerate(zip(one, other, strict=False)) if a != b), min(len(one), len(other)))
     start = max(0, at - 60)
     return repr(one[start : at + 120]), repr(other[start : at + 120])

@@ -1,4 +1,4 @@
-"""Friction of every kind: shifts and rolling, with creepages or forces, that suit a problem's size."""
+"""Creates friction of every kind: shifts and rolling, with creepages or forces of the problem's magnitude."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ import numpy as np
 
 from .dice import Dice, Params
 
-#: Makes the friction of a problem on a grid, from the size of its contact.
+#: Creates the friction of a problem on a grid, from the size of its contact.
 MakeFriction = Callable[[Dice, Params, "Scale"], Params]
 
 
 @dataclass
 class Scale:
-    """Of a frictionless solution: what makes motions and forces neither tiny nor huge."""
+    """Derives scales from a frictionless solution, so that motions and forces are neither tiny nor huge."""
 
-    shift: float  # mm; about where all of the contact slips, over the coefficient of friction
+    shift: float  # mm; about full slip, divided by the friction coefficient
     length: float  # mm; of the contact
     Fn: float
 
 
 def coefficient(dice: Dice, grid: Params) -> Any:
-    """Of friction: a number, or an array that differs a little from element to element."""
+    """Returns friction as a number, or as an array that varies a little from element to element."""
     mu = 0 if dice.chance(0.05) else dice.uniform(0.05, 1)
     if dice.chance(0.8):
         return mu
@@ -34,7 +34,7 @@ def coefficient(dice: Dice, grid: Params) -> Any:
 
 
 def with_kinetic_or_force(dice: Dice, friction: Params, motion: Params, scale: Scale, velocity: float) -> None:
-    """Adds falling friction or a prescribed force, both to a part of the problems."""
+    """Adds slip-weakening friction or a prescribed force, each to some of the problems."""
     mu = float(np.max(friction["mu"]))
     if dice.chance(0.3):
         size, angle = dice.uniform(0, 0.95) * mu * scale.Fn, dice.uniform(0, 2 * math.pi)
@@ -81,7 +81,7 @@ def transient(dice: Dice, grid: Params, scale: Scale) -> Params:
 
 
 def without(make: MakeFriction, *names: str) -> MakeFriction:
-    """Friction that has one coefficient and no fields of these names: for models that do not know them."""
+    """Creates friction with one coefficient and without these fields, for models that do not support them."""
 
     def made(dice: Dice, grid: Params, scale: Scale) -> Params:
         friction = make(dice, grid, scale)

@@ -1,4 +1,4 @@
-"""Requests that are refused, most of them: errors are answers, too."""
+"""Creates requests that are mostly refused, because errors are answers, too."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .wire import Raw, Request
 STEEL = {"G": 82000, "nu": 0.28}
 GRID = {"nx": 6, "ny": 5, "dx": 0.8, "dy": 0.8}
 MESH: Params = {"source": "fem", "order": 1, "L_over_h": 20, "f": 2}
-#: Values of single fields that are refused.
+#: Refused values of single fields.
 WRONG: dict[str, list[Any]] = {
     "mesh": ["tet", 1], "order": [0, 7, 1.5], "l_over_h": [0, 0.4, 65, 1.13], "h_over_hs": [1, 3, 4.5, 130],
     "f": [0.5, 11, "1.2"], "t1_over_hs": [-1, 1e-4, 2000], "L_over_h": [0, 0.9, 2, 1e10], "diagonal": ["along"],
@@ -25,7 +25,7 @@ WRONG: dict[str, list[Any]] = {
     "preset": ["paper-test4"], "body": ["sphere"], "load_shape": ["linear"], "any_nu": [1], "accuracy": [1e-5, 1, 1e-2],
     "line_contact": [{"datum": 100}], "unknown": [1],
 }  # fmt: skip
-#: Changes of ics, grid and material of which each one is refused before anything is built.
+#: Changes of ics, grid and material, each of which is refused before anything is built.
 IMPOSSIBLE: list[dict[str, Any]] = [
     *({"ics": {**MESH, name: value}} for name, values in WRONG.items() for value in values),
     {"ics": {**MESH, "mesh": "adaptive", "solver": "direct"}},
@@ -64,7 +64,7 @@ BEGINNINGS: list[Callable[[Dice], Play]] = [
 
 
 def damaged(dice: Dice) -> Play:
-    """What another kind would have begun with, after one or two accidents."""
+    """Returns the first request of another kind, with one or two errors."""
     request = next(dice.choice(BEGINNINGS)(dice))
     assert isinstance(request, Request)
     if request.method == "contact.solve" and dice.chance(0.7):

@@ -1,4 +1,4 @@
-"""Plays cases at a daemon and keeps what it answered."""
+"""Plays cases at a daemon and records its answers."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from .cases import Case
 from .contents import Contents, contents
 from .wire import Connection, Request, connected
 
-#: One worker, so that which of two problems finds a table in memory is no matter of chance.
+#: Uses one worker, so that it is deterministic which of two problems finds a table in memory.
 CONFIG = {"workers": 1, "builds": {"concurrent": 1}, "log": {"level": "warn"}, "shutdown": {"drain_seconds": 0}}
 
 
 @dataclass
 class Played:
-    """The methods of a case's requests, and the contents of their answers."""
+    """Holds the methods of a case's requests, and the contents of their answers."""
 
     case: Case
     methods: list[str] = field(default_factory=list)
@@ -34,7 +34,8 @@ class Run:
 
 
 def run(program: Path, folder: Path, cases: list[Case], stop: threading.Event | None = None) -> Run:
-    """All cases, one request at a time, at a daemon of its own whose store is in `folder`; InterruptedError on `stop`."""
+    """Plays all cases, one request at a time, at a separate daemon whose store is in `folder`. Raises InterruptedError
+    on `stop`."""
     with (
         LocalDaemon(program, folder=folder, config=CONFIG) as daemon,
         connected(daemon.endpoint, stop or threading.Event()) as connection,

@@ -1,4 +1,4 @@
-"""Sessions: steps whose loads change, states that are saved and restored, and what a session refuses."""
+"""Creates sessions: steps with changing loads, states that are saved and restored, and refused requests."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def _session(dice: Dice, problem: Params, make: MakeFriction) -> Play:
 
 
 def opening(dice: Dice, problem: Params, make: MakeFriction, scale: Scale) -> Params:
-    """What the steps have in common; whether they bring gap and load themselves differs."""
+    """Returns the common values of the steps; gap and load of the steps may differ."""
     opening = {**problem, "accept_unconverged": True, "lease_seconds": 600}
     if dice.chance(0.9):
         opening["friction"] = make(dice, problem["grid"], scale)

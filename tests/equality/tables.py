@@ -1,4 +1,5 @@
-"""Tables of influence coefficients, closed forms and small finite-element builds, their files, and stresses inside bodies."""
+"""Creates tables of influence coefficients, closed forms and small finite-element builds, their files, and stresses
+inside bodies."""
 
 from __future__ import annotations
 
@@ -12,7 +13,7 @@ from .motions import shift
 from .wire import Request
 
 COMPONENTS = [i + j for i in "xyz" for j in "xyz"]
-#: The offsets of all finite-element tables, so that few are built.
+#: Offsets of all finite-element tables, so that few are built.
 FEM_GRID = {"nx": 8, "ny": 6, "dx": 0.8, "dy": 0.8}
 
 
@@ -32,7 +33,7 @@ def analytic(dice: Dice) -> Params:
 
 
 def get_analytic(dice: Dice) -> Play:
-    """A table, a part of it, and the same again from memory."""
+    """Requests a table, a part of it, and the table again from memory."""
     params = analytic(dice)
     yield Request("ic.get", params)
     first = dice.randrange(params["grid"]["ny"])
@@ -51,7 +52,7 @@ def export(dice: Dice) -> Play:
 
 
 def small_mesh(dice: Dice) -> Params:
-    """Coefficients by finite elements that are built in a fraction of a second."""
+    """Requests coefficients by finite elements that take a fraction of a second."""
     mesh = dice.choice(["hex", "hex", "prism", "adaptive"])
     ics: Params = {
         "source": "fem", "mesh": mesh, "order": dice.choice([1, 1, 2]), "L_over_h": dice.choice([20, 33.3, 50]),
@@ -80,7 +81,7 @@ def preset(dice: Dice) -> Params:
 
 
 def chosen_mesh(dice: Dice) -> Params:
-    """By an accuracy, of a half-space, of a block, or for any Poisson's ratio."""
+    """Requests an accuracy, of a half-space, of a block, or for any Poisson's ratio."""
     ics: Params = {"source": "fem", "accuracy": dice.choice([1e-1, 3e-2])}
     if dice.chance(0.5):
         ics |= {"body": "block", "L_over_h": dice.choice([10, 20])}
@@ -90,7 +91,7 @@ def chosen_mesh(dice: Dice) -> Params:
 
 
 def get_fem(dice: Dice) -> Play:
-    """Built, then from memory at another scale, and as a file."""
+    """Requests a table that is built, then from memory at another scale, and as a file."""
     ics = dice.choice([small_mesh, small_mesh, small_mesh, preset, chosen_mesh])(dice)
     material = {"G": dice.log_uniform(1, 1e5), "nu": dice.choice([0, 0.28, 0.45])}
     built = yield Request("ic.get", {"material": material, "grid": FEM_GRID, "ics": ics})
@@ -103,7 +104,7 @@ def get_fem(dice: Dice) -> Play:
 
 
 def contact_of_fem(dice: Dice) -> Play:
-    """A shift of bodies whose coefficients are built."""
+    """Shifts bodies whose coefficients are built."""
     bodies = {"upper": {"G": 200, "nu": 0.28}, "lower": {"G": 900, "nu": dice.choice([0.28, 0.45])}}
     ics = {"source": "fem", "preset": "paper-test2", "order": 1, "L_over_h": 40, "h_over_hs": 2}
     problem: Params = {"grid": FEM_GRID, "bodies": bodies, "ics": ics}
@@ -112,12 +113,12 @@ def contact_of_fem(dice: Dice) -> Play:
 
 
 def stored(dice: Dice) -> Play:
-    """What the store holds at this time."""
+    """Lists the store's current contents."""
     yield Request("ic.list", {})
 
 
 def subsurface(dice: Dice) -> Play:
-    """Stresses under a contact with friction, on a block of points and at points anywhere."""
+    """Computes stresses under a contact with friction, on a block of points and at arbitrary points."""
     problem = half_spaces(dice, 10) | {"bodies": random_bodies(dice)}
     problem["ics"] = {"source": "analytic"}
     first = yield solve(dice, problem)

@@ -1,4 +1,4 @@
-"""Requests, and the connection that asks them one by one."""
+"""Sends requests one by one through a connection."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Json = Any
 
 @dataclass
 class Request:
-    """`params` may hold numpy arrays, which travel as frames, or as lists where `arrays` is "list"."""
+    """`params` may contain numpy arrays, which are sent as frames, or as lists if `arrays` is "list"."""
 
     method: str
     params: Json
@@ -35,7 +35,7 @@ class Request:
 
 @dataclass
 class Raw:
-    """A request as it is sent, whatever is wrong with it."""
+    """Sends a request unchanged, even if it is invalid."""
 
     method: str
     sent: list[bytes]
@@ -46,7 +46,7 @@ class Raw:
 
 @dataclass(frozen=True)
 class Answer:
-    """The last reply to a request; progress before it is passed over."""
+    """Returns the last reply to a request; earlier progress is ignored."""
 
     text: bytes
     frames: list[bytes]
@@ -74,7 +74,8 @@ class Answer:
 
 
 class Connection:
-    """Asks one daemon, until `stop` is set from another thread: then what waits for an answer raises InterruptedError."""
+    """Sends requests to one daemon until `stop` is set by another thread. Waiting calls then raise
+    InterruptedError."""
 
     def __init__(self, socket: zmq.Socket[bytes], stop: threading.Event) -> None:
         self._socket = socket
@@ -103,7 +104,7 @@ def connected(endpoint: str, stop: threading.Event) -> Iterator[Connection]:
 
 
 def _packed(node: Json, frames: list[bytes] | None) -> Json:
-    """`node` with its arrays as lists, or as references to `frames`, which grow."""
+    """Returns `node` with its arrays as lists, or as references to `frames`, to which they are added."""
     if isinstance(node, np.ndarray):
         if frames is None:
             return node.tolist()

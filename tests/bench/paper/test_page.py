@@ -1,4 +1,4 @@
-"""Verdicts in the text of a page, and what all sections must have."""
+"""Tests verdicts in the text of a page, and the requirements on all sections."""
 
 import re
 from pathlib import Path

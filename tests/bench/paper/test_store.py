@@ -1,4 +1,4 @@
-"""Finished computations stay finished, whatever ended the run."""
+"""Tests that finished computations are kept when the run is interrupted."""
 
 from contextlib import nullcontext
 
@@ -24,7 +24,7 @@ class Interrupted(Exception):
 
 
 class FakeBuilder:
-    """Counts; breaks off at the request number `ends_at`."""
+    """Counts requests; is interrupted at the request number `ends_at`."""
 
     def __init__(self, ends_at=None):
         self.asked, self._ends_at = [], ends_at

@@ -1,4 +1,4 @@
-"""The page of given cases belongs to its tables, and its list of reasons is one."""
+"""Tests that the page of given cases agrees with its tables, and that its reasons form one list."""
 
 from collections import Counter
 from pathlib import Path

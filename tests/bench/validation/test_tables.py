@@ -1,4 +1,4 @@
-"""Rows of the tables of given cases: status, difference over tolerance, printed times."""
+"""Tests rows of the tables of given cases: status, difference over tolerance, printed times."""
 
 import json
 from pathlib import Path

@@ -1,4 +1,4 @@
-// Influence coefficients from files as CONTACT takes them.
+// Tests influence coefficients from files in CONTACT's format.
 #include <array>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -17,14 +17,14 @@ namespace {
 
 constexpr std::array order{Axis::z, Axis::x, Axis::y};
 
-/// Symmetric coefficients, times G: any even or odd function of the offsets.
+/// Returns symmetric coefficients, times G: any even or odd function of the offsets.
 double coefficient(Axis i, Axis j, int k, int l) {
     const Parity signs = parity(i, j);
     const double along = signs.along_x > 0 ? 1.0 / (1 + k * k) : k, across = signs.along_y > 0 ? 2.0 / (2 + l * l) : l;
     return (i == j ? 1 : 0.01) * along * across;
 }
 
-/// A file of 3 x 2 offsets of elements of 0.5 x 0.25 mm.
+/// Creates a file of 3 x 2 offsets of elements of 0.5 x 0.25 mm.
 std::string text_of_file() {
     std::string text = "1 1\n0 312\n1 0\n3 2 0.5 0.25  % mx my dx dy\n";
     for (int l = -1; l <= 1; ++l) {

@@ -1,4 +1,4 @@
-// Elements of a step that lie elsewhere.
+// Tests steps whose elements have moved.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 

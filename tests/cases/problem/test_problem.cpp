@@ -1,4 +1,4 @@
-// Values that go together in no problem.
+// Tests combinations of values that no problem may have.
 #include "problem/problem.hpp"
 
 #include <catch2/catch_test_macros.hpp>

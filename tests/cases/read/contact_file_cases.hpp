@@ -1,4 +1,4 @@
-// Small input files of CONTACT, one a rule.
+// Provides small input files of CONTACT, one for each rule.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace contactd::contact_file_cases {
 
-/// The parts of a case of module 3 that most rules are about: a ball on a plane, pressed down and shifted.
+/// Provides the parts of a case of module 3 that most rules concern: a ball on a plane, pressed down and shifted.
 struct BasicCase {
     std::string module = "3 MODULE\n";
     std::string digits = "201100 P-B-T-N-F-S\n022020 L-D-C-M-Z-E\n000001 H-G-I-A-O-W-R\n";
@@ -29,7 +29,7 @@ struct BasicCase {
     }
 };
 
-/// A wheel on its rail, that keeps nothing.
+/// Provides a wheel on its rail that keeps no earlier values.
 struct RailCase {
     std::string module = "1 MODULE\n";
     std::string digits = "1203100 C-P-B-T-N-F-S\n0022033 V-L-D-C-M-Z-E\n0000001 H-G-I-A-O-W-R\n";
@@ -58,7 +58,7 @@ inline ContactFile read_all(const std::string& text) {
     return read_contact_file(text, "case.inp");
 }
 
-/// The last case of a file without errors.
+/// Returns the last case of a file without errors.
 inline ContactCase last_of(const std::string& text) {
     const ContactFile file = read_all(text + end);
     for (const auto& problem : file.errors) throw std::runtime_error(problem);

@@ -1,4 +1,4 @@
-// Friction, material, gap, extra slip and points below the surface, each form of them.
+// Tests every form of friction, material, gap, extra slip and points below the surface.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <numbers>

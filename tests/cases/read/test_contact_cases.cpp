@@ -1,4 +1,4 @@
-// What cases read, and what they keep of those before them.
+// Tests the values that cases read, and those that they keep from previous cases.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <numbers>

@@ -1,4 +1,4 @@
-// Files that are wrong are told by line, column, what should stand there, and what follows from it.
+// Tests errors in files: line, column, expected value, and consequences.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 #include <string>
@@ -11,7 +11,7 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// The only thing that is wrong with the first case of a file.
+/// Returns the only error in the first case of a file.
 std::string error_of(const std::string& text) {
     const ContactFile file = read_all(text);
     if (file.cases.empty() || file.cases[0].errors.empty()) return {};

@@ -1,4 +1,4 @@
-// Lists of slices: values, and what is refused.
+// Tests lists of slices: values and refusals.
 #include "contactd/read_contact_slices.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -16,7 +16,7 @@ using Catch::Matchers::MessageMatches;
 
 namespace {
 
-/// Profiles of the CONTACT program, outside of the repository.
+/// Returns the folder of profiles of the CONTACT program, outside the repository.
 const std::filesystem::path folder = std::filesystem::path(SHARED_FILES) / "contact";
 
 struct Slices {

@@ -1,4 +1,4 @@
-// Friction between places along the track.
+// Tests friction between places along the track.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -18,7 +18,7 @@ namespace {
 
 using Track = std::vector<ContactFrictionAtPlace>;
 
-/// The difference over 10 m, half-way; 0 where it is not thin.
+/// Returns the difference over 10 m, half-way, or 0 if it is small enough.
 double difference(int law, std::vector<double> one, std::vector<double> other) {
     const auto thin = thin_friction(law, {{0, std::move(one)}, {1e4, std::move(other)}}, 5e3);
     return thin ? thin->difference : 0;
@@ -49,15 +49,15 @@ TEST_CASE("coefficients that differ over metres are too thin, and others are not
 }
 
 TEST_CASE("laws differ where they bend, whatever they are at rest", "[contact_files]") {
-    // FKIN + F1 2^(-v/s): at 100 mm/s a half is left of one, and next to nothing of the other.
+    // FKIN + F1 2^(-v/s): at 100 mm/s one half of one term remains, and almost nothing of the other.
     CHECK_THAT(difference(4, {0.1, 0.4, 100, 0, 1}, {0.1, 0.4, 1, 0, 1}), WithinRel(0.2, 1e-12));
     // FKIN + F1 max(0, 1 - v/(2 s))
     CHECK_THAT(difference(2, {0.1, 0.4, 100, 0, 1}, {0.1, 0.4, 50, 0, 1}), WithinRel(0.2, 1e-12));
-    // FKIN + F1/(1 + v/s) + F2/(1 + (v/s)^2): at 100 mm/s 1/2 and 1/5 are left of 0.5.
+    // FKIN + F1/(1 + v/s) + F2/(1 + (v/s)^2): at 100 mm/s 1/2 and 1/5 of 0.5 remain.
     CHECK_THAT(difference(3, {0.1, 0.5, 100, 0, 1}, {0.1, 0, 1, 0.5, 50}), WithinRel(0.15, 1e-12));
     CHECK(difference(4, {0.3, 0.1, 100, 0, 1}, {0.3, 0.1, 120, 0, 1}) == 0);
     CHECK_THAT(difference(4, {0.1, 0.3, 100, 0, 1}, {0.3, 0.1, 100, 0, 1}), WithinRel(0.2, 1e-12));
-    // From (TREF, FREF) on a straight line to (TREF + DTHEAT, FREF + DFHEAT): at 120 degrees 0.2 and 0.4.
+    // The law is a straight line from (TREF, FREF) to (TREF + DTHEAT, FREF + DFHEAT): at 120 degrees 0.2 and 0.4.
     CHECK_THAT(difference(6, {0.4, 20, -0.2, 100}, {0.4, 120, -0.2, 100}), WithinRel(0.2, 1e-12));
     CHECK(difference(6, {0.4, 20, -0.2, 100}, {0.4, 30, -0.2, 100}) == 0);
 }

@@ -1,4 +1,4 @@
-// Lines and words of input files of CONTACT, rule by rule.
+// Tests lines and words of input files of CONTACT, rule by rule.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <numbers>

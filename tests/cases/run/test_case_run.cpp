@@ -1,4 +1,4 @@
-// Cases in their order: histories, refusals, files, and quantities by CONTACT's names.
+// Tests sequences of cases: histories, refusals, files, and quantities by CONTACT's names.
 #include "run/case_run.hpp"
 
 #include <algorithm>
@@ -47,7 +47,7 @@ std::vector<ContactFileOutcome> run(const std::string& text) {
 
 enum class Rest { more, none };
 
-/// A ball with semi-axes of 1 mm under 1000 N, shifted by `shift` (mm); the file may have more cases.
+/// Creates a ball with semi-axes of 1 mm under 1000 N, shifted by `shift` (mm); the file may have more cases.
 std::string ball(const std::string& digits, const std::string& shift, Rest rest = Rest::more) {
     BasicCase text;
     text.module = "";
@@ -182,7 +182,7 @@ TEST_CASE("a case names the file that it lacks", "[contact_files]") {
 
 namespace {
 
-/// A cylindrical rail and a cone of 1/20, as points of y and z (mm).
+/// Creates a cylindrical rail and a cone of 1/20, as points of y and z (mm).
 ContactFileInput wheel_on_rail(const std::string& configuration, double y) {
     std::string rail, wheel;
     for (int i = -30; i <= 30; ++i)

@@ -203,7 +203,7 @@ TEST_CASE("A map of k is mild, severe and seized by sliding velocity and pressur
     law.archard->severe->velocity = {700, 900};
     CHECK_THAT(area(law), WithinRel(mild, 1e-12));
     law.archard->severe.reset();
-    law.archard->seizure = SeizureWear{300e-4, 0.5};  // above 1500 N/mm^2, a disc of 1 - (15/15.92)^2 of the area
+    law.archard->seizure = SeizureWear{300e-4, 0.5};  // above 1500 N/mm^2 on 1 - (15/15.92)^2 of the area
     const double part = std::pow(1500 / (1.5 * 80000 / (std::numbers::pi * 24)), 3);
     CHECK_THAT(area(law), WithinRel(mild * (part + 300 * (1 - part)), 0.05));
 }

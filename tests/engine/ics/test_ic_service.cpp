@@ -1,4 +1,4 @@
-// The IC service with a stand-in builder: a shell script that plays the parts a real one can play.
+// Tests the IC service with a shell script as builder, which plays all roles of a real one.
 #include <atomic>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -31,7 +31,7 @@ IcSpec fem_spec(int nx = 3, int ny = 3) {
     return spec;
 }
 
-/// A family over Poisson's ratio as a builder writes it, of closed-form tables, which are linear in it.
+/// Creates a family over Poisson's ratio in the builder's format, of closed-form tables, which are linear in it.
 IcRecord family_record() {
     IcSpec spec = fem_spec();
     spec.any_nu = true;
@@ -55,7 +55,7 @@ struct Outcome {
     IcAnswer answer;
 };
 
-/// A service in a folder of its own, whose builder is `script` (run by sh; $3 is the output).
+/// Creates a service in its own folder, whose builder is `script` (run by sh; $3 is the output).
 class Bench {
    public:
     explicit Bench(const std::string& script, std::function<bool(const std::string&)> may_build = {}) {
@@ -69,7 +69,7 @@ class Bench {
         settings.may_build = std::move(may_build);
         ics = std::make_unique<IcService>(std::move(settings), IcStore(folder / "store", [](const std::string&) {}),
                                           jobs, counters);
-        // A table for scripts that succeed.
+        // Creates a table for scripts that succeed.
         IcSpec spec = dimensionless(fem_spec());
         write_ic_file(folder / "good.h5", IcRecord{spec, IcTable(spec.nx, spec.ny)});
         write_ic_file(folder / "family.h5", family_record());

@@ -1,4 +1,4 @@
-// Operators that are kept between solves, also where they are larger than the budget.
+// Tests operators that are kept between solves, including those larger than the budget.
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
@@ -89,7 +89,7 @@ TEST_CASE("Operators of bodies that creep are those of their speed") {
     CHECK(fast.pmax > 1.01 * slow.pmax);
     CHECK(engine.influences().usage().entries == 2);
     CHECK(rolled(500).pressure == slow.pressure);
-    CHECK(rolled(1000, 5e-4).pressure == slow.pressure);  // the same way of creep
+    CHECK(rolled(1000, 5e-4).pressure == slow.pressure);  // equal law of creep
     CHECK(engine.influences().usage().entries == 2);
 }
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A store with a file that was used an hour ago.
+/// Creates a store with a file that was last used an hour ago.
 struct OldFile {
     OldFile() {
         std::ofstream(path) << "table";

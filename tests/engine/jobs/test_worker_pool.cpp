@@ -30,7 +30,7 @@ TEST_CASE("Threads start when they are needed, and no more than were asked for")
     const auto before = threads();
     WorkerPool pool(2);
     CHECK(threads() == before);
-    for (int n = 0; n < 3; ++n) {  // one after the other: one thread does all
+    for (int n = 0; n < 3; ++n) {  // in sequence, because one thread runs all
         std::promise<void> ran;
         pool.post({}, [&] { ran.set_value(); });
         ran.get_future().wait();
@@ -74,7 +74,7 @@ TEST_CASE("Stopping waits for the running task, drops the waiting ones and what 
 
 namespace {
 
-/// A pool of one thread that is busy until it is let go; then it runs what was posted, which leaves its name.
+/// Creates a pool of one thread that is busy until it is released; then it runs posted tasks, which record their names.
 class Stalled {
    public:
     Stalled() {
@@ -90,7 +90,7 @@ class Stalled {
     }
     std::vector<std::string> order() {
         std::promise<void> done;
-        // Behind everything: even a starved task comes before the last of as many as there are.
+        // It comes last: even a starved task runs before it.
         for (int n = 0; n <= WorkerPool::most_passes * expected_; ++n) pool.post({"last", Priority::low}, [] {});
         pool.post({"last", Priority::low}, [&] { done.set_value(); });
         go_on_.set_value();

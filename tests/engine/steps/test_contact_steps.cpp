@@ -1,4 +1,4 @@
-// Steps of a simulation, of which each starts where the one before ended, without a daemon around them.
+// Tests steps of a simulation, each of which starts from the end of the previous one, without a daemon.
 #include <catch2/catch_test_macros.hpp>
 
 #include "contactd/solve_contact.hpp"
@@ -29,7 +29,7 @@ ContactSteps::Overlay saying(const StepInput& input) {
     return [&input](const std::optional<Motion>& last, ContactProblem& problem) { overlay(input, last, problem); };
 }
 
-/// Engine, steps, and where they are.
+/// Holds an engine, its steps, and the current state.
 struct Simulation {
     Engine engine{{}};
     Observer observer;

@@ -1,4 +1,4 @@
-// Steps of a wheel on its rail, without a daemon around them.
+// Tests steps of a wheel on its rail, without a daemon.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -30,7 +30,7 @@ WheelRailStepInput rolling_at(double y) {
     return input;
 }
 
-/// Engine, steps, and where they are.
+/// Holds an engine, its steps, and the current state.
 struct Simulation {
     Engine engine{{}};
     Observer observer;

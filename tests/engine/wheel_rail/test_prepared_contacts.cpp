@@ -1,4 +1,4 @@
-// Wheels on rails that are kept between steps, and the engine's answers for them.
+// Tests wheels on rails that are kept between steps, and the engine's answers for them.
 #include "engine/wheel_rail/prepared_contacts.hpp"
 
 #include <catch2/catch_test_macros.hpp>
@@ -70,7 +70,7 @@ TEST_CASE("The engine answers as a contact of one's own, and the same again") {
     const WheelRailSolution alone = solve_wheel_rail(coarse_setup(), rolling_state(), observer);
     const WheelRailSolution first = engine.solve(coarse_setup(), rolling_state(), observer);
     const WheelRailSolution again = engine.solve(coarse_setup(), rolling_state(), observer);
-    // Coefficients are kept dimensionless, which rounds otherwise.
+    // Coefficients are kept dimensionless, which changes the rounding.
     CHECK_THAT(first.forces.track.Fx, WithinAbs(alone.forces.track.Fx, 1e-6));
     CHECK_THAT(first.forces.track.Fy, WithinAbs(alone.forces.track.Fy, 1e-6));
     CHECK(again.forces.track == first.forces.track);

@@ -1,4 +1,4 @@
-"""What is asked for: the paper's grids and blocks, each table as seldom as possible."""
+"""Tests the requests: the paper's grids and blocks, with as few tables as possible."""
 
 import json
 

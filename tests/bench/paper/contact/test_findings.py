@@ -1,4 +1,4 @@
-"""What verdicts of section 4 are made of: rows in, True where the paper agrees."""
+"""Tests verdicts of section 4: from rows to True if the paper agrees."""
 
 import pytest
 
@@ -20,7 +20,7 @@ def test_the_tangential_force_is_compared_with_seven_eighths_of_the_bound(share,
 
 
 def blocks(error):
-    """fig10 and larger, with error(L, way) of every quantity."""
+    """Returns the rows of fig10 and larger, with error(L, way) of every quantity."""
     rows = {"fig10": [], "larger": []}
     for n in GRIDS:
         for way in ("", ", fem"):

@@ -1,4 +1,4 @@
-"""Problems as the daemon gets them, and what becomes of its failures."""
+"""Tests the problems sent to the daemon, and the handling of its failures."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ class Table:
 
 
 class FakeClient:
-    """Keeps the problems it gets. Closed-form tables are full of 1, others of 2."""
+    """Records its problems. Closed-form tables are filled with 1, others with 2."""
 
     def __init__(self, error=None):
         self.problems, self._error = [], error

@@ -1,4 +1,4 @@
-"""Page, CSV files and pictures belong together."""
+"""Tests that page, CSV files and pictures are consistent."""
 
 import re
 import shutil
@@ -13,7 +13,8 @@ from paper.store import ResultStore
 
 
 def invented(case):
-    """Errors that fall with L and with n, and change their sign: enough for every picture and every sentence."""
+    """Creates errors that decrease with L and with n, and change their sign, which suffices for every picture and
+    every sentence."""
     ics = case.spec["ics"]
     block = 2.0 / case.L if case.L and "far_boundary" not in ics else 0.0
     error = block + 0.1 / case.n**2 - (2e-3 if ics.get("sampling") == "linear_nodes" else 0)

@@ -1,4 +1,4 @@
-"""What is asked for: the paper's meshes, each computed once."""
+"""Tests the requests: the paper's meshes, each computed once."""
 
 import pytest
 
@@ -65,7 +65,7 @@ def test_errors_are_taken_over_extents_that_are_measured():
 
 
 def test_equal_meshes_are_computed_once():
-    # L/h = 160 on the 20 x 20 grid, and on the 10 x 10 grid with a block twice as large.
+    # Uses L/h = 160 on the 20 x 20 grid, and on the 10 x 10 grid with a block twice as large.
     cases = [case for case in [*PARTS["fig6"](), *PARTS["fig7"]()] if case.spec["ics"]["preset"] == "paper-test3"]
     assert len(distinct(cases)) == len({case.spec["ics"]["L_over_h"] for case in cases}) == len(LENGTHS) + 3
 

@@ -1,4 +1,4 @@
-"""What verdicts of section 3 are made of: rows in, True where the paper agrees."""
+"""Tests verdicts of section 3: from rows to True if the paper agrees."""
 
 import pytest
 

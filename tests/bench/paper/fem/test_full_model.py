@@ -1,4 +1,4 @@
-"""The whole block beside its quarter: linear prisms, and meshes as MFEM writes them."""
+"""Compares the whole block with its quarter: linear prisms, and meshes in MFEM's format."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ CORNERS = np.array([[0, 0, 0], [0.2, 1, 0.1], [0, 0.3, -2], [-3, 0, 0.5], [-2.8,
 
 
 def quarter(n=4):
-    """[-2, 0]^3 in n x n x n boxes of two prisms, in MFEM's format; the load is the first box's."""
+    """Writes [-2, 0]^3 in n x n x n boxes of two prisms, in MFEM's format; the load is the first box's."""
     number = {(x, y, z): (x * (n + 1) + y) * (n + 1) + z for x in range(n + 1) for y in range(n + 1) for z in range(n + 1)}
     elements, faces = [], []
     for x, y, z in np.ndindex(n, n, n):
@@ -53,7 +53,7 @@ def test_a_mesh_is_read_with_its_counts_and_boundaries():
     assert mesh.vertices.min() == -2
     drawn = faces_to_draw(mesh)
     assert drawn["elements"] == 16
-    assert drawn["faces"].count(";") + 1 == 12  # none of the far faces
+    assert drawn["faces"].count(";") + 1 == 12  # excludes the far faces
     assert len(drawn["positions"].split()) == 81
 
 

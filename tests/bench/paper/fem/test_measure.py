@@ -1,4 +1,4 @@
-"""Errors of a table, and what becomes of a builder that fails."""
+"""Tests errors of a table, and the handling of a failing builder."""
 
 import json
 import stat
@@ -33,7 +33,7 @@ def test_other_components_are_compared_with_a_point_load():
 
 @pytest.fixture
 def builder(tmp_path):
-    """builder(status, answer): one whose contactd-ic ends like this."""
+    """builder(status, answer) returns a builder whose contactd-ic ends in this way."""
 
     def make(status, answer):
         program = tmp_path / "contactd-ic"

@@ -1,4 +1,4 @@
-"""Figure 4: faces in a row, and where they are drawn."""
+"""Tests figure 4: faces in a row, and their positions in the drawing."""
 
 import numpy as np
 import pytest

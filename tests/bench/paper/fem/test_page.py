@@ -1,4 +1,4 @@
-"""Page, CSV files and pictures belong together."""
+"""Tests that page, CSV files and pictures are consistent."""
 
 import re
 import shutil
@@ -13,7 +13,8 @@ from paper.store import ResultStore
 
 
 def invented(case):
-    """A result whose errors fall with the number of unknowns: enough for every picture and every sentence."""
+    """Creates a result whose errors decrease with the number of unknowns, which suffices for every picture and every
+    sentence."""
     if "solve" in case.spec:
         stop = {"iterations": 80, "seconds": 2.0, "residual": 1e-5, "origin_error": -3e-3}
         size = round(1e4 * case.value**0.1)

@@ -1,4 +1,4 @@
-"""What the errors of a table are measured against."""
+"""Tests the references for the errors of a table."""
 
 from pathlib import Path
 from types import SimpleNamespace
@@ -14,7 +14,7 @@ SPEC = {"kind": "table", "section": {"slab": {"thickness": 1, "width": 9}}, "col
 
 
 class Table(dict):
-    """Full of 1 + accuracy, and not reciprocal by `defect`."""
+    """Returns a table filled with 1 + accuracy, whose reciprocity is off by `defect`."""
 
     def __init__(self, accuracy, defect=0.0):
         super().__init__({name: np.full((2, 2), 1 + accuracy) for name in COMPONENTS})
@@ -22,7 +22,7 @@ class Table(dict):
 
 
 class FakeClient:
-    """Keeps the accuracies it was asked for."""
+    """Records the requested accuracies."""
 
     def __init__(self, defect=0.0, refusal=None):
         self.asked, self._defect, self._refusal = [], defect, refusal

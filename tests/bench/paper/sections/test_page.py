@@ -1,4 +1,4 @@
-"""Page, CSV files and pictures of cross-sections belong together."""
+"""Tests that page, CSV files and pictures of cross-sections are consistent."""
 
 import pytest
 
@@ -22,7 +22,7 @@ from paper.store import ResultStore
 
 
 def invented(case):
-    """As the text of the page expects it."""
+    """Creates the results that the text of the page expects."""
     spec = case.spec
     if spec["kind"] == "edge":
         near = 1 / (1 + 10 * spec["distance"] ** 2) if spec["body"] == "block" else 0
@@ -30,7 +30,7 @@ def invented(case):
     if spec["kind"] == "throat":
         off = {"off": -0.05, "half_space": 0.02, "rotated": -0.005, "fem": 0}[spec["conformal"]]
         if spec["y"] == SHIFTS[-1] and off:
-            off -= 0.3  # contact from end to end of the corner
+            off -= 0.3  # contact over the whole corner
         return {"pmax": 2000 * (1 + off), "approach": 0.1, "Fx": 1000 * (1 - off), "Fy": -20000}
     if spec["kind"] == "persson":
         exact, places = 2 - spec["half_angle"] / 60, range(-spec["half_angle"], spec["half_angle"] + 1)

@@ -1,4 +1,4 @@
-"""The closed form of cylinders in holes, and the contact that is compared with it."""
+"""Tests the closed form of cylinders in holes, and the contact compared with it."""
 
 import numpy as np
 import pytest

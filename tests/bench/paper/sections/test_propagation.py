@@ -1,4 +1,4 @@
-"""The contacts in which errors of coefficients are followed."""
+"""Tests the contacts in which errors of coefficients are followed."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ PLACES = (np.arange(STRIPS) - (STRIPS - 1) / 2) / RADIUS
 
 
 def half_plane(datum):
-    """The normal displacement of strips under a strip, up to a constant, of two equal bodies."""
+    """Returns the normal displacement of strips under a strip, up to a constant, of two equal bodies."""
     x = np.arange(STRIPS)[:, None] - np.arange(STRIPS)[None, :]
     outer, inner = x + 0.5, x - 0.5
     return -2 * (1 - NU) / np.pi * (outer * np.log(np.abs(outer)) - inner * np.log(np.abs(inner)) - 1 - np.log(datum))
@@ -35,7 +35,7 @@ def test_a_rigid_motion_of_the_flat_bodies_changes_the_approach_alone():
 
 
 def rows(curved_ics=1.0, curved_contact=1.0):
-    """Errors that fall with the mesh; those of curved bodies that many times as large."""
+    """Creates errors that decrease with the mesh; those of curved bodies are larger by the factor."""
 
     def row(body, order, edges):
         error = 0.02 / (order * edges)
