@@ -23,7 +23,7 @@ class Arrows:
 
     direct: dict[str, list[str]] = field(default_factory=dict)  # maps a folder to the folders after its arrow
     headers: dict[str, str] = field(default_factory=dict)  # maps a public header without a source to its folder
-    libraries: dict[str, list[str]] = field(default_factory=dict)  # how an #include begins: folders that may have it
+    libraries: dict[str, list[str]] = field(default_factory=dict)  # maps the beginning of an #include to folders
     debts: set[tuple[str, str]] = field(default_factory=set)  # a file, and its forbidden include
 
     @classmethod

@@ -23,7 +23,7 @@ def _built() -> None:
 
 @pytest.fixture
 def daemons() -> Iterator[Daemons]:
-    """Starts daemons for one test and checks that nothing of them stays behind."""
+    """Starts daemons for one test and checks that they leave nothing behind."""
     started = Daemons()
     yield started
     started.finish()
@@ -42,7 +42,7 @@ def client(daemon: TestDaemon) -> Iterator[Client]:
 
 @pytest.fixture(scope="module")
 def shared_daemon() -> Iterator[TestDaemon]:
-    """One daemon for a module whose tests do not disturb each other."""
+    """Provides one daemon for a module whose tests do not affect each other."""
     started = Daemons()
     try:
         yield started.start()
@@ -64,7 +64,7 @@ def raw(shared_daemon: TestDaemon) -> Iterator[RawClient]:
 
 @pytest.fixture
 def session(raw: RawClient) -> Iterator[str]:
-    """The name of a session of `raw`, closed afterwards."""
+    """Provides the name of a session of `raw`, which is closed afterwards."""
     name = raw.ask("session.open", OPEN).result["session"]
     yield name
     raw.ask("session.close", {"session": name})
@@ -76,6 +76,6 @@ class Background(Protocol):
 
 @pytest.fixture
 def background() -> Iterator[Background]:
-    """background(function, ...) runs a call in a thread of its own and returns its future."""
+    """background(function, ...) runs a call in a separate thread and returns its future."""
     with ThreadPoolExecutor(max_workers=16) as pool:
         yield pool.submit

@@ -1,4 +1,4 @@
-"""AsyncClient with a real daemon: as many calls as one likes, the same answers, and tasks that are cancelled."""
+"""Tests AsyncClient with a real daemon: many simultaneous calls, equal answers, and cancelled tasks."""
 
 import asyncio
 import threading

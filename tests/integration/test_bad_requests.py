@@ -1,4 +1,5 @@
-"""Every bad request gets its own clear answer naming the field, and the daemon serves the next one."""
+"""Tests that every bad request gets a specific answer that names the field, and that the daemon serves the next
+one."""
 
 import copy
 import json
@@ -20,13 +21,13 @@ REMOVED = Enum("Sign", "REMOVED").REMOVED
 
 @pytest.fixture(autouse=True)
 def still_serving(raw):
-    """Whatever a test of this module sends, the next request on the same socket is served."""
+    """After any request of this module, the next request on the same socket is served."""
     yield
     assert raw.ask("server.health").result["state"] == "serving"
 
 
 def changed(params, path, value):
-    """`params` with the field at the dotted `path` changed, added or removed."""
+    """Returns `params` with the field at the dotted `path` changed, added or removed."""
     params = copy.deepcopy(params)
     *parents, name = path.split(".")
     place = params
@@ -216,7 +217,7 @@ BAD_PROBLEMS = [
 def test_a_problem_that_cannot_be_solved(raw, path, value):
     answer = raw.ask("contact.solve", changed(CATTANEO_PARAMS, path, value))
     assert (answer.status, answer.reason) == ("INVALID_ARGUMENT", "FIELD_INVALID")
-    # A value of the wrong kind is named itself, or what it holds.
+    # A value of the wrong kind is named itself, or by its content.
     assert any(field.startswith(path) for field in answer.fields), answer.fields
 
 

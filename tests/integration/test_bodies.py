@@ -1,4 +1,4 @@
-"""Bodies whose influence coefficients come from different sources, and rigid slip of the elements."""
+"""Tests bodies whose influence coefficients come from different sources, and rigid slip of the elements."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ from contactd import (
 
 STEEL, SOFT = Material(G=82000, nu=0.28), Material(G=200, nu=0.42)
 GRID = Grid.centred(12, 10, 2.4, 2.4)
-#: A sphere of steel on something soft, rolling.
+#: A steel sphere that rolls on a soft body.
 PROBLEM = ContactProblem(
     grid=GRID,
     upper=STEEL,
@@ -44,7 +44,7 @@ def test_a_given_table_stands_for_the_body_it_was_made_of(shared, body):
 
     assert solution.converged
     np.testing.assert_allclose(solution.pressure, expected.pressure, rtol=1e-9, atol=1e-9 * expected.pmax)
-    # Displacements one step ahead are interpolated from a table, and known of half-spaces.
+    # Displacements one step ahead are interpolated from a table, but exact for half-spaces.
     assert solution.Fx == pytest.approx(expected.Fx, rel=1e-6)
     assert solution.evidence.ics[body].origin == "given"
     other = {"upper": "lower", "lower": "upper"}[body]
@@ -53,7 +53,8 @@ def test_a_given_table_stands_for_the_body_it_was_made_of(shared, body):
 
 def test_tables_of_both_bodies_are_their_pair(shared):
     upper, lower = (shared.get_ic(material, GRID, AnalyticIcs()) for material in (STEEL, SOFT))
-    # What a pair is made of is not known: its solve starts elsewhere, and ends within the tolerance elsewhere.
+    # The bodies of a pair are unknown, so its solve starts differently, and ends at a different point within the
+    # tolerance.
     exact = PROBLEM.replace(normal=SolverSettings(1e-12), tangential=SolverSettings(1e-11), outer=SolverSettings(1e-11))
     each = shared.solve(exact.replace(upper_ics=TableIcs.of_body(upper), lower_ics=TableIcs.of_body(lower)))
     pair = shared.solve(exact.replace(ics=TableIcs.from_table(upper, lower)))
@@ -68,7 +69,7 @@ def test_a_block_under_a_half_space_yields_between_two_blocks_and_two_half_space
         "both": shared.solve(problem.replace(upper_ics=BLOCK, lower_ics=AnalyticIcs())).Fn,
         "blocks": shared.solve(problem.replace(ics=BLOCK)).Fn,
     }
-    # The smaller the body, the stiffer it is.
+    # Smaller bodies are stiffer.
     assert force["half-spaces"] < force["both"] < force["blocks"]
     assert 1 / force["both"] == pytest.approx(0.5 * (1 / force["half-spaces"] + 1 / force["blocks"]), rel=0.02)
 

@@ -1,4 +1,5 @@
-"""The example of a bogie as a user runs it: in process and by a daemon, straight on, in a curve, and faster than it should."""
+"""Tests the example of a bogie as users run it: in process and by a daemon, on straight track, in a curve, and above
+the critical speed."""
 
 from __future__ import annotations
 
@@ -49,8 +50,8 @@ def test_the_bogie_goes_the_same_way_by_fmus(bogie, shared, fmi):
             for opened in (bogie.wheels.SessionWheels, lambda _, setups: fmus(archive("contactd_wheel", fmi), setups))
         )
         largest = np.abs(one.states).max(axis=0)
-        # What a session searches from its last step differs in the last digits. The integrator errs by up to 0.3 of the
-        # largest of those that hardly move.
+        # Searches that start from the last step differ in the last digits. The integrator's error is up to 0.3 of the
+        # largest of the nearly constant values.
         assert np.all(np.abs(one.states - other.states).max(axis=0) <= 1e-5 * largest)
         assert other.places == pytest.approx(one.places, abs=1e-6)
         assert one.solves == other.solves
@@ -82,12 +83,13 @@ def test_its_energy_goes_to_dampers_and_rails(bogie, shared):
         errors.append(np.abs(found.error).max())
     assert errors[0] < 1e-3 * found.to_rails[-1]
     assert errors[1] < errors[0] / 8, "of the step's fourth order"
-    # Friction by creepages, the rest by forces: two ways to what the rails take, but for what contacts store.
+    # Friction from creepages and all other forces balance the forces on the rails, except for energy stored in
+    # contacts.
     assert found.friction[-1] == pytest.approx(found.to_rails[-1], rel=0.3)
 
 
 def test_who_solves_the_wheels_can_be_exchanged(bogie, shared):
-    """By requests instead of sessions: the same function, with whole states."""
+    """Uses requests instead of sessions: the same function, with complete states."""
 
     class Requests(contextlib.AbstractContextManager):
         def __init__(self, client, setups):

@@ -1,4 +1,5 @@
-"""The example that tells states of the bogie on worn wheels, as contactctl wear calls it: dynamics, wear, and dynamics again."""
+"""Tests the example that computes states of the bogie on worn wheels, as contactctl wear calls it: dynamics, wear, and
+dynamics again."""
 
 from __future__ import annotations
 
@@ -46,7 +47,7 @@ def critical(folder, *options):
 
 def test_the_critical_speed_falls_with_the_conicity_of_the_wheels(tmp_path):
     y = np.linspace(-60, 60, 241)
-    for stage, slope in enumerate((0.05, 0.2)):  # cones, whose conicity is their slope
+    for stage, slope in enumerate((0.05, 0.2)):  # the conicity of cones is their slope
         folder = tmp_path / f"stage-{stage:03d}"
         folder.mkdir()
         (folder / "wheel.prw").write_text(format_profile(np.stack([y, -slope * y], axis=-1), "wheel", ".prw", ["a cone"]))

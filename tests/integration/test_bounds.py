@@ -1,4 +1,4 @@
-"""What large requests take in memory, and how soon they end when somebody ends them (docs/limits.md)."""
+"""Tests the memory of large requests, and the time until they end after a cancellation (docs/limits.md)."""
 
 import importlib.util
 import json
@@ -20,11 +20,11 @@ def large_requests():
         return []  # conftest.py says so
     printed = subprocess.run([BIN / "contactd", "--print-costs"], capture_output=True, check=True, timeout=60).stdout
     examples = [example for example in json.loads(printed) if example["bytes"] is not None]
-    return [example for example in examples if example["method"] != "ic.import"]  # it needs the arrays of a real table
+    return [example for example in examples if example["method"] != "ic.import"]  # needs the arrays of a real table
 
 
 LARGE = large_requests()
-#: Beside its work a daemon has its program, threads and messages.
+#: In addition to its work, a daemon has its program, threads and messages.
 BESIDE = 100 << 20
 #: Seconds within which a worker is free again after its request has ended.
 SOON = 0.5
@@ -45,7 +45,7 @@ def ended_after(raw, condition):
 
 
 def least_of(seconds, enough, tries=3):
-    """The shortest of some times, until one is enough: whatever else a machine does only makes them longer."""
+    """Returns the shortest of some times, until one is short enough, because other programs only increase them."""
     least = seconds()
     for _ in range(tries - 1):
         if least < enough:
@@ -62,7 +62,7 @@ def test_the_page_has_the_costs_of_the_code():
     assert page.strip() == module.table(module.costs(BIN / "contactd")).strip(), "./dev docs writes it"
 
 
-@pytest.mark.slow  # solves the largest requests that the limits allow, to their ends
+@pytest.mark.slow  # solves the largest allowed requests completely
 @pytest.mark.timeout(600)
 @every_method
 def test_a_large_request_takes_no_more_than_it_states(daemons, example):
@@ -79,9 +79,9 @@ def test_a_large_request_takes_no_more_than_it_states(daemons, example):
     assert taken >= example["bytes"] / 8 - BESIDE, "a bound that says nothing"
 
 
-@pytest.mark.slow  # a daemon for each of the largest requests, twice
+@pytest.mark.slow  # starts a daemon twice for each of the largest requests
 @pytest.mark.timeout(300)
-@pytest.mark.xdist_group("alone")  # its times are not those of a machine that test_load keeps busy
+@pytest.mark.xdist_group("alone")  # must not run while test_load occupies the machine
 @pytest.mark.parametrize("way", ["cancelled", "overdue"])
 @every_method
 def test_the_worker_of_a_request_that_has_ended_is_free_soon(daemons, example, way):
@@ -102,7 +102,7 @@ def test_the_worker_of_a_request_that_has_ended_is_free_soon(daemons, example, w
     assert least_of(seconds, SOON * SLOWER) < SOON * SLOWER
 
 
-@pytest.mark.slow  # a daemon for each of the largest requests
+@pytest.mark.slow  # starts a daemon for each of the largest requests
 @pytest.mark.timeout(300)
 @every_method
 def test_sigterm_ends_a_daemon_at_work_within_a_second_of_its_drain(daemons, example):

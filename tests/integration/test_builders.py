@@ -1,4 +1,4 @@
-"""Builders that fail, are killed, or run behind a launcher."""
+"""Tests builders that fail, are killed, or run behind a launcher."""
 
 import os
 import shutil

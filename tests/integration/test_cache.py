@@ -1,4 +1,5 @@
-"""One build serves every shear modulus, every element size and every smaller extent, also after a restart."""
+"""Tests that one build serves every shear modulus, every element size and every smaller extent, also after a
+restart."""
 
 from dataclasses import replace
 
@@ -11,7 +12,7 @@ from support.problems import CATTANEO, GRID, QUICK, STEEL
 
 @pytest.fixture(scope="module")
 def built(shared_daemon):
-    """The table that the tests of this module find in the cache."""
+    """Provides the table that the tests of this module find in the cache."""
     with shared_daemon.client() as client:
         table = client.get_ic(STEEL, GRID, QUICK)
         assert table.origin == "built"

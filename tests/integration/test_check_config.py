@@ -1,4 +1,4 @@
-"""contactd --check-config, --version and --ping: what can be asked without starting a daemon."""
+"""Tests contactd --check-config, --version and --ping, which do not start a daemon."""
 
 import json
 import re
@@ -16,7 +16,7 @@ def run(*arguments, **options):
 
 @pytest.fixture
 def check(tmp_path):
-    """check(section=...) runs --check-config on a sound configuration with these sections laid over it."""
+    """check(section=...) runs --check-config on a valid configuration with these sections replaced."""
 
     def run_check(**sections):
         config = {
@@ -144,7 +144,7 @@ def test_the_version_names_the_commit_and_every_library(shared):
     assert all(re.search(r"\d+\.\d+|\d{3}", number) for number in libraries.values()), libraries
     assert lines[1] == f"commit {shared.info().commit}"
     assert {"zeromq", "hdf5", "prometheus-cpp", "civetweb", "systemd", "spdlog"} <= set(libraries)
-    assert len({"ducc0", "fftw"} & set(libraries)) == 1  # the transforms that it was built with
+    assert len({"ducc0", "fftw"} & set(libraries)) == 1  # transforms of the build
 
 
 def test_a_ping_says_whether_a_daemon_serves(shared_daemon):

@@ -1,4 +1,4 @@
-"""One case by all contact models: what each answers, how far off it is, and why some refuse it."""
+"""Compares all contact models for one case: results, errors, and reasons of refusals."""
 
 import asyncio
 import warnings

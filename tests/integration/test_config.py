@@ -1,4 +1,4 @@
-"""The configuration: what it takes, and what it answers to mistakes."""
+"""Tests valid configurations, and messages for invalid ones."""
 
 import json
 import socket
@@ -11,7 +11,7 @@ from support.daemons import BIN, eventually
 
 
 def run(tmp_path, text):
-    """Runs the daemon with a configuration that should end it at once."""
+    """Runs the daemon with a configuration that should end it immediately."""
     path = tmp_path / "config.json"
     path.write_text(text)
     return subprocess.run([BIN / "contactd", "--config", path], capture_output=True, text=True, timeout=30)
@@ -104,7 +104,7 @@ def test_an_address_of_ipv6_is_served(daemons):
     assert daemon.endpoint.startswith("tcp://[::1]:")
     with Client(daemon.endpoint) as client:
         assert client.health() == "serving"
-    eventually(lambda: "user=\"::1\"" in daemon.log)  # the log is written after the answer has gone
+    eventually(lambda: "user=\"::1\"" in daemon.log)  # the log is written after the answer was sent
     ping = subprocess.run([BIN / "contactd", "--ping", daemon.endpoint], capture_output=True, text=True, timeout=30)
     assert ping.stdout == "serving\n"
     example = subprocess.run([BIN / "contactd-cpp-example", daemon.endpoint], capture_output=True, text=True, timeout=60)
@@ -121,7 +121,7 @@ def test_a_log_file_takes_one_line_a_request(daemons):
     path = daemons.folder / "daemon" / "contactd.log"
     with daemons.start(log={"file": str(path)}).client() as client:
         client.call("server.health")
-    eventually(lambda: "server.health" in path.read_text())  # it is written after the answer has gone
+    eventually(lambda: "server.health" in path.read_text())  # the log is written after the answer was sent
     lines = [line for line in path.read_text().splitlines() if "server.health" in line]
     assert len(lines) == 1
     assert "OK" in lines[0]

@@ -1,4 +1,5 @@
-"""wheelrail.solve with coefficients that know how wheel and rail curve, and where their tables come from."""
+"""Tests wheelrail.solve with coefficients that consider the curvature of wheel and rail, and the sources of their
+tables."""
 
 from __future__ import annotations
 
@@ -100,7 +101,7 @@ def test_who_gives_up_leaves_the_build_to_the_store(daemon, client, background):
         asked.result()
     eventually(lambda: client.info().counters["builds_finished"] == 1, "the build has ended with its caller", seconds=60)
     assert client.wheel_rail(setup, IN_THE_CORNER, fields=[]).converged
-    assert client.info().counters["builds_started"] == 2  # of rail and wheel, the first of them not once more
+    assert client.info().counters["builds_started"] == 2  # one table each of rail and wheel, the first one cached
 
 
 def test_whoever_waits_for_a_build_that_is_cancelled_is_told_so(daemon, client, background):

@@ -1,4 +1,4 @@
-"""Rigid wheelsets on rigid rails, of wheelrail.geometry: as closed forms, the page, and users have them."""
+"""Tests rigid wheelsets on rigid rails with wheelrail.geometry, against closed forms and the page."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ CONE = WheelRailSetup(wheel=ConeProfile(-0.05, ends=(-60, 60)))
 
 
 def rows_of_page() -> list[tuple[float, list[tuple[float, float]]]]:
-    """Amplitude, and integrated and harmonic conicities of the columns."""
+    """Returns amplitude, and integrated and harmonic conicities of the columns."""
     cell = r" ([\d.]+) \(([\d.]+)\) \|"
     found = re.findall(rf"^\| (\d) \|{4 * cell}$", PAGE.read_text(), re.MULTILINE)
     return [
@@ -61,7 +61,8 @@ def test_the_points_of_the_contacts_lie_on_the_profiles(shared):
         for shift, contacts in zip(shifts, all_contacts, strict=True):
             contact = getattr(contacts, side)
             assert outwards * contact.y == pytest.approx(placed.rail_origin.y + contact.rail_y, abs=1e-9)
-            # Straight lines between the points leave the curve by micrometres, and more so, vertically, where it is steep.
+            # Straight lines between the points differ from the curve by micrometres, and vertically by more where it
+            # is steep.
             on_rail = np.interp(contact.rail_y, *placed.rail.T)
             assert contact.z - placed.rail_origin.z == pytest.approx(on_rail, abs=1e-2)
             assert outwards * (contact.y - shift) == pytest.approx(placed.wheel_origin + contact.wheel_y, abs=1e-9)
@@ -91,7 +92,7 @@ def test_sides_may_differ(shared):
 
 
 def test_wheels_of_unequal_radii_roll_alike_beside_the_middle(shared):
-    """Cones of 1/20: of 1 mm less the left one makes up for by 10 mm."""
+    """Uses cones of 1/20: a displacement by 10 mm compensates 1 mm on the left one."""
     left = CONE.replace(wheelset=Wheelset(nominal_radius=459))
     (contact,) = shared.wheelset_contacts(CONE, [-10], left=left)
     assert contact.radius_difference == pytest.approx(0, abs=1e-6)

@@ -1,5 +1,4 @@
-"""Cases of the CONTACT program computed by contactd: what is printed of them, and how near it comes to what that program has
-printed of the given ones."""
+"""Compares cases of the CONTACT program computed by contactd with the results printed by that program."""
 
 import json
 import re
@@ -32,7 +31,7 @@ def folder(shared, tmp_path):
 
 
 def lines_below(lines, label, offset):
-    """Numbers so many lines below the one with a label, as scripts look for them."""
+    """Returns numbers a given number of lines below their label, as scripts look for them."""
     (index,) = [number for number, line in enumerate(lines) if label in line]
     return [float(word) for word in lines[index + offset].split()]
 
@@ -88,7 +87,7 @@ def test_heat_beside_a_layer_is_computed(shared, folder, tau_c0):
 
 
 def one_iteration(**changes):
-    """A cylinder between bodies of 26 and 79 GPa, by Johnson's process; lengths of the elements along it 600 mm."""
+    """Uses a cylinder between bodies of 26 and 79 GPa, by Johnson's process, with 600 mm long elements along it."""
     area = {"IPOTCN": 1, "MX": 120, "MY": 1, "XL": -0.24, "YL": -300.0, "DX": 0.004, "DY": 600.0}
     distance = {"IBASE": 1, "IPLAN": 1, "B1": 0.012, "B2": 0.0, "B3": 0.0, "B4": 0.0, "B5": 0.0, "B6": 0.0}
     bodies = {"POISS1": 0.33, "POISS2": 0.3, "GG1": 26000.0, "GG2": 79000.0}
@@ -156,7 +155,7 @@ def test_scripts_find_a_wheel_on_a_rail_where_they_look(shared, folder):
 @pytest.mark.parametrize("side", [1, 0])
 @pytest.mark.parametrize("placed", [{}, {"GAUGHT": -1.0, "RAILY0": 750.0, "RAILZ0": 0.5}])
 def test_the_reference_is_told_in_the_axes_of_both_profiles(shared, tmp_path, side, placed):
-    """On the curve of the rail, and on that of the wheel but for what both overlap."""
+    """The point is on the curve of the rail, and on that of the wheel except for their overlap."""
     outwards, radius, slope = 1 if side else -1, 300.0, -0.05
 
     y = np.linspace(-40, 40, 641)
@@ -199,7 +198,7 @@ def test_slices_that_are_alike_are_a_straight_rail_and_a_round_wheel(shared, tmp
 
 @pytest.mark.parametrize(("bottom", "upwards"), [(-2.0, False), (2.0, True)])
 def test_a_disc_lies_as_contact_decides(shared, tmp_path, bottom, upwards):
-    """Its sides are `bottom` beside the flat tread at z = 0: nothing stands out as a flange does."""
+    """Its sides are at `bottom` next to the flat tread at z = 0, so no flange stands out."""
     y = np.linspace(-10, 10, 81)
     z = bottom * np.clip((np.abs(y) - 8) / 2, 0, 1) ** 2
     (tmp_path / "disc.csv").write_text("".join(f"{a:.4f},{b:.6f}\n" for a, b in zip(y, z)))
@@ -219,7 +218,8 @@ def test_a_wheel_at_rest_adheres(shared, folder):
 
 
 def test_a_thin_sheet_yields_beside_the_bodies(shared, folder):
-    """It takes FLXZ times the pressure, in basic contact and on a rail alike, and nothing where B is 0."""
+    """The program multiplies FLXZ by the pressure, in basic contact and on a rail alike, and ignores it where B is
+    0."""
     for plain, soft in (
         (basic_case(FLXZ=2e-5), basic_case(B=1, FLXZ=2e-5)),
         (rail_case(FLXZ=2e-5), rail_case(B=1, FLXZ=2e-5)),
@@ -246,15 +246,15 @@ def test_steps_go_on_from_each_other_as_a_session_does(shared, folder):
 
 
 def test_elastic_energy_is_half_the_work_of_the_load(shared, folder):
-    """Pressing alone stores int Fn d(approach) = 2/5 Fn approach (Hertz)."""
+    """Normal contact stores the energy int Fn d(approach) = 2/5 Fn approach (Hertz)."""
     (outcome,) = computed(shared, [basic_case(T=0, MX=40, MY=40)], folder)
     solution = outcome.solution
     assert outcome.numbers["ELAST.EN."] == pytest.approx(0.4 * solution.Fn * solution.approach / 1000, rel=2e-3)
 
 
 def test_fastsim_on_elements_is_what_is_printed_and_small_ones_come_to_contactds(shared):
-    """Why FASTSIM on its own slices has other forces than on elements: whole steps from before the first element on, spin a
-    sixth of one ahead, and creepage coefficients that are read from a table."""
+    """Explains why FASTSIM on its own slices has other forces than on elements: whole steps from before the first
+    element on, spin evaluated a sixth of a step ahead, and creepage coefficients that are read from a table."""
     assert fastsim_on_elements(44, (0.4937e-4, 0.5152e-4, 0.4090e-4)) == pytest.approx((-15050, -39000), rel=5e-4)
     a, b, bound = 8.0, 4.0, 0.3 * 82000
     motion = Rolling(eta=-0.000625, phi=0.000625)
@@ -274,7 +274,7 @@ def test_fastsim_on_elements_is_what_is_printed_and_small_ones_come_to_contactds
 
 
 def fastsim_on_elements(n, flexibilities):
-    """Fy and Mz of examples/fastsim.inp, case 2, on n x n elements."""
+    """Returns Fy and Mz of examples/fastsim.inp, case 2, on n x n elements."""
     a, b, scale, bound = 8.0, 4.0, 1.1, 0.3 * 2 * 82000 / (np.pi * 8 * 4)
     eta, phi, (_, l2, l3) = -0.000625, 0.000625, flexibilities
     dx, dy = 2 * a * scale / n, 2 * b * scale / n
@@ -298,7 +298,7 @@ def given():
 
 
 def beside_printed(one, client, chosen):
-    """The chosen cases of a given file, computed, each with what is printed of it."""
+    """Computes the chosen cases of a given file, each with its printed results."""
     printed = printed_cases((GIVEN / one["reference"]).read_text(errors="replace"))
     cases = contact_files.read(GIVEN / one["file"], client).cases
     theirs = {(case.line, case.number): shown for case, shown in zip(cases, printed, strict=True)}
@@ -327,7 +327,8 @@ def test_given_cases_agree_or_are_refused_by_name_or_have_a_reason(shared, given
 
 
 def test_a_public_shift_is_counted_from_the_top_of_a_rail_without_a_point_there(shared):
-    """As the CONTACT program prints it. The rail is an arc of 270 mm, and the wheel a cone of 1:20."""
+    """Compares with values printed by the CONTACT program. The rail is an arc of 270 mm, and the wheel a cone of
+    1:20."""
     path = GIVEN.parent / "public-cases" / "h3_shift_on_rail.inp"
     if not path.is_file():
         pytest.skip(f"{path} is not there: the public case is not in the tree")
@@ -341,7 +342,7 @@ def test_a_public_shift_is_counted_from_the_top_of_a_rail_without_a_point_there(
 
 @pytest.mark.parametrize("number", [36, 37])
 def test_a_given_massless_flexible_rail_is_met_at_the_height_that_is_printed(shared, given, number):
-    """Why these cases differ: their heights are not those that the file gives."""
+    """Explains why these cases differ: their heights are not those of the file."""
     (one,) = (one for one in given["files"] if one["file"] == "testbank/testbank.inp")
     printed = printed_cases((GIVEN / one["reference"]).read_text(errors="replace"))
     cases = zip(contact_files.read(GIVEN / one["file"], shared).cases, printed, strict=True)
@@ -358,7 +359,7 @@ def test_a_given_massless_flexible_rail_is_met_at_the_height_that_is_printed(sha
     [("testbank/testbank", 31, 1), ("testbank/examples_s+c/cw_interrupt", 1, 0), ("testbank/examples_s+c/mbench_locus", 29, 0)],
 )
 def test_moments_about_the_places_that_are_printed_are_those_that_are_printed(shared, given, name, number, patch):
-    """Why these cases differ: moments are about references that are some thousandths of a millimetre apart."""
+    """Explains why these cases differ: moments refer to points that are some thousandths of a millimetre apart."""
     (one,) = (one for one in given["files"] if one["file"] == f"{name}.inp")
     ((outcome, printed),) = beside_printed(one, shared, lambda case: case.number == number)
     ours, theirs, found = outcome.compared.patches[patch], printed.patches[patch], outcome.patches[patch]
@@ -371,7 +372,8 @@ def test_moments_about_the_places_that_are_printed_are_those_that_are_printed(sh
 
 
 def test_given_lines_are_met_but_for_digits(shared, given):
-    """Each line of a given .out file below the control digits: labels at the same places, numbers in tolerance."""
+    """Compares each line of a given .out file below the control digits: labels at the same places, numbers within the
+    tolerance."""
     met = 0
     for name in ("examples/tractcurv", "examples/spence35", "examples/fastsim"):
         text = (GIVEN / f"{name}.ref_out").read_text(errors="replace")
@@ -425,12 +427,13 @@ def test_given_steps_have_the_lines_that_are_printed(shared, given):
         for outcome, block in zip(computed_file(shared, file, "bilinear", slice(3)), blocks):
             theirs = from_digits(block.split("\n"))
             for mine, printed in zip(from_digits(lines_of(outcome)), theirs):
-                # Their grid may have a column more.
+                # Their grid may have one column more.
                 assert ITERATIONS.match(printed) or not mine.strip(" 0123456789") or is_met(mine, printed), f"{printed}\n{mine}"
 
 
 def test_elements_of_a_shift_are_counted_from_one_place_on_the_rail(shared, folder):
-    """Corners of grids in .mat files are whole elements apart, wherever the wheel stands, and moments are about there."""
+    """Corners of grids in .mat files are whole elements apart, at any position of the wheel, and moments refer to
+    them."""
     corners = []
     for place in (0.0, 0.6, 1.13):
         case = rail_case(T=1, A=2, S_WS=place, VS=0.01, VPITCH=0.0)
@@ -451,7 +454,7 @@ def test_elements_of_a_shift_are_counted_from_one_place_on_the_rail(shared, fold
 
 
 def problem_of_first(client, file):
-    """Set-up and state of the first case of a file, as on the wire."""
+    """Returns set-up and state of the first case of a file, as on the wire."""
     runner, cases = runner_of(client, file.read_text(), file.parent)
     (converted_case,) = runner.converted(cases[:1])
     return converted_case.wheelrail["setup"], converted_case.wheelrail["state"]
@@ -459,7 +462,7 @@ def problem_of_first(client, file):
 
 @pytest.mark.parametrize("x", [50.0, 57.0, 60.0])
 def test_a_patch_around_a_gap_in_the_rail_has_its_place_on_what_is_there(shared, given, x):
-    """Slices that are joined without features, far from where the case has its wheel."""
+    """Uses slices that are joined without features, far from the wheel of the case."""
     file = GIVEN / "testbank/examples_s+c/mbench_brute.inp"
     setup, state = problem_of_first(shared, file)
     state = {**state, "position": {**state["position"], "x": x}}
@@ -467,7 +470,7 @@ def test_a_patch_around_a_gap_in_the_rail_has_its_place_on_what_is_there(shared,
     assert all(np.isfinite(patch["place"]["reference"]["z"]) for patch in solution["patches"])
 
 
-@pytest.mark.slow  # thousand steps of a wheel along crossings
+@pytest.mark.slow  # solves a thousand steps of a wheel along crossings
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize(
     ("name", "y", "first", "last"), [("cw_interrupt", 40.0, -300, 500), ("cw_interrupt", 0.0, -20, 100), ("mbench_brute", 0.81, 175, 450)]

@@ -1,4 +1,5 @@
-"""contact_file.*: cases of input files of the CONTACT program, read in pages, against what it printed of them, and computed."""
+"""Tests contact_file.*: cases of input files of the CONTACT program, read in pages, compared with its printed results,
+and computed."""
 
 import asyncio
 import json
@@ -52,7 +53,7 @@ def test_each_case_of_a_history_has_what_it_keeps(shared):
     assert file[999].values["AA"] == 1
 
 
-@pytest.mark.slow  # half a million numbers are held against the schema of the answer
+@pytest.mark.slow  # checks half a million numbers against the schema of the answer
 def test_cases_that_repeat_large_lists_come_in_pages(shared, raw):
     elements = 300 * 300
     gap = ("0 " * 40 + "\n") * (elements // 40)
@@ -82,7 +83,7 @@ def test_what_is_no_text_is_refused_by_the_name_of_the_file(shared):
         shared.read_contact_file("3 MODULE\0", name="ball.inp")
 
 
-#: Heights that the program moved with a massless flexible rail before it printed them.
+#: Heights that the program changed by a massless flexible rail before it printed them.
 NOT_ECHOED = {
     ("testbank/testbank.inp", 36, "Z_WS"): ("2.0855", "2.0884"),
     ("testbank/testbank.inp", 37, "Z_WS"): ("2.0685", "2.0884"),
@@ -103,7 +104,7 @@ def test_digits_of_the_public_cases_are_those_that_are_known(shared, given):
         read = contact_files.read(GIVEN / file["file"], shared)
         assert not read.errors
         assert len(read) == len(file["cases"]), file["file"]
-        begins = True  # with a line of its module: the line that is known of others is that before them
+        begins = True  # has a separate module line; for others the previous line applies
         for case, known in zip(read, file["cases"], strict=True):
             assert not case.errors, (file["file"], case.number, case.errors)
             assert (case.number, case.module) == (known["case"], known["module"])

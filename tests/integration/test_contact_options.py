@@ -1,4 +1,5 @@
-"""contact.solve and contact.solve_many: forces, rolling, rigid bodies, simplified models, histories and batches."""
+"""Tests contact.solve and contact.solve_many: forces, rolling, rigid bodies, simplified models, histories and
+batches."""
 
 import math
 
@@ -30,7 +31,7 @@ from support.problems import CATTANEO, CATTANEO_PARAMS, STEEL
 
 SOFT = Material(G=200, nu=0.42)
 FRICTIONLESS = CATTANEO.replace(friction=None)
-#: A wheel on a rail, 25 x 25: semi-axes about 6 and 4 mm.
+#: A wheel on a rail, 25 x 25 elements: semi-axes of about 6 and 4 mm.
 ROLLING = ContactProblem(
     grid=Grid.centred(25, 25, 15, 10),
     upper=STEEL,
@@ -40,7 +41,7 @@ ROLLING = ContactProblem(
 )
 
 
-#: A cylinder on a plane, rolling; forces of 7 mm.
+#: A rolling cylinder on a plane, with forces per 7 mm.
 LINE = ContactProblem(
     grid=Grid.centred(400, 1, 2.4, 7),
     upper=STEEL,
@@ -164,10 +165,10 @@ def test_a_step_starts_where_the_one_before_ended(shared):
     there = shared.solve(CATTANEO)
     unmoved = shared.solve(CATTANEO.replace(friction=Friction(0.4, (0, 0)), previous=there))
     assert unmoved.Fx == pytest.approx(there.Fx, rel=1e-3)
-    # Shifted back to where it was, friction holds it on the other side: Mindlin and Deresiewicz.
+    # After a shift back to the origin, friction holds it on the other side (Mindlin and Deresiewicz).
     back = shared.solve(CATTANEO.replace(friction=Friction(0.4, (-0.00817, 0)), previous=there))
     bound = 0.4 * there.Fn
-    remaining = (1 + there.Fx / bound) ** (2 / 3)  # 1 less the shift over that of full slip
+    remaining = (1 + there.Fx / bound) ** (2 / 3)  # 1 minus the shift over that of full slip
     there_and_half_back = bound * (1 - ((1 + remaining) / 2) ** 1.5)
     assert back.Fx == pytest.approx(there.Fx + 2 * there_and_half_back, rel=0.03)
     previous = Estimate(pressure=there.pressure, traction_x=there.traction_x, traction_y=there.traction_y)
@@ -318,7 +319,8 @@ def test_the_table_of_a_line_contact_is_answered_but_not_exported(shared, tmp_pa
 
 
 def test_below_a_roller_the_largest_shear_is_that_of_handbooks(shared):
-    """Norton: a steel wheel of 12 in on a flat rail, 0.875 in wide, 5000 lbf (inch, pound): 0.304 p0 at 0.786 a."""
+    """Uses Norton's example: a steel wheel of 12 in on a flat rail, 0.875 in wide, 5000 lbf (inch, pound): 0.304 p0 at
+    0.786 a."""
     steel, force, width, radius = Material(G=30e6 / 2.56, nu=0.28), 5000.0, 0.875, 6.0
     a = math.sqrt(8 * force / width * radius * (1 - 0.28**2) / 30e6 / math.pi)
     line = AnalyticIcs(line_contact=LineContact(datum=100))

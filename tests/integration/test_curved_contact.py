@@ -1,4 +1,4 @@
-"""Contact on curved strips through a daemon: solves, sessions, and what is refused."""
+"""Tests contact on curved strips through a daemon: solves, sessions, and refusals."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ CONTACT = {"grid": GRID, "upper": STEEL, "gap": GAP, "Fn": 5000.0}
 
 
 def columns(angle_of_each, **more):
-    """On a circle where each turns by so much, flat where that is 0."""
+    """Places strips on a circle with this angle between neighbours, or on a plane if it is 0."""
     angle = angle_of_each * (np.arange(15) - 7)
     radius = 0.5 / (angle_of_each or 1)
     y, z = (radius * np.sin(angle), radius * np.cos(angle)) if angle_of_each else (Y[:, 0], 0 * angle)

@@ -1,4 +1,4 @@
-"""The demo as a user runs it, and as a user stops it."""
+"""Tests the demo as a user runs it, and as a user stops it."""
 
 import os
 import re
@@ -16,7 +16,7 @@ ENVIRONMENT = {**os.environ, "PYTHONPATH": str(CLIENT), "PYTHONDONTWRITEBYTECODE
 
 
 def start(folder, *options):
-    """The demo in a process, its daemon in a temporary folder below `folder`."""
+    """Runs the demo in a process, with its daemon in a temporary folder below `folder`."""
     return subprocess.Popen(
         [sys.executable, CLIENT / "examples" / "demo", *options],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env={**ENVIRONMENT, "TMPDIR": str(folder)},
@@ -25,7 +25,7 @@ def start(folder, *options):
 
 @pytest.fixture
 def folder(daemons):
-    """A short one, that is checked afterwards for what was left behind."""
+    """Provides a short name, and checks afterwards for remaining files."""
     (daemons.folder / "demo").mkdir()
     return daemons.folder / "demo"
 
@@ -61,7 +61,7 @@ def test_an_interrupted_demo_stops_its_daemon(folder, ending, status):
 
 
 def names(folder):
-    """Command lines of the processes that work in `folder`."""
+    """Returns command lines of the processes that work in `folder`."""
     found = []
     for process in processes_with(str(folder)):
         try:
@@ -72,12 +72,12 @@ def names(folder):
 
 
 def left_in(folder):
-    """Names in `folder`, without the session folder of Open MPI, which that leaves in the temporary folder."""
+    """Returns names in `folder`, without the session folder that Open MPI leaves in the temporary folder."""
     return [path.name for path in folder.iterdir() if not path.name.startswith("ompi.")]
 
 
 def drawn(folder: Path, names: str, *options: str, file: str = "picture.png") -> str:
-    """Runs a demo that draws pictures with these names and passes, and returns what it prints."""
+    """Runs a demo that draws pictures with these names and passes, and returns its output."""
     demo = start(folder, *options, "--bin", BIN, "--output", folder / "sub" / file)
     output, errors = demo.communicate(timeout=280)
     assert demo.returncode == 0, output + errors

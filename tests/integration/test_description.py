@@ -1,4 +1,4 @@
-"""server.describe and server.info, and the answers of every method against their schemas."""
+"""Tests server.describe and server.info, and the answers of every method against their schemas."""
 
 import json
 import re
@@ -52,7 +52,7 @@ ROLLING = {"velocity": {"x": 2000, "pitch": -4.348}, "Fz": 10000}
     ids=lambda part: part if isinstance(part, str) else "",
 )
 def test_every_answer_is_as_its_schema_says(raw, method, params, arrays):
-    # `raw` holds each answer against its schema.
+    # `raw` checks each answer against its schema.
     assert raw.ask(method, params, arrays=arrays).status == "OK"
 
 
@@ -84,7 +84,7 @@ def test_requests_are_answered_as_they_get_ready_not_in_turn(raw, shared):
 def test_closed_form_tables_are_exact_and_need_no_build(client):
     table = client.get_ic(STEEL, GRID, AnalyticIcs())
     assert table.origin == "closed_form"
-    # A_zz(0) of a square of side h: (1 - nu) h / (2 pi G) * 8 ln(1 + sqrt 2) / 2.
+    # Uses A_zz(0) of a square of side h: (1 - nu) h / (2 pi G) * 8 ln(1 + sqrt 2) / 2.
     assert table["zz"][0, 0] == pytest.approx(
         0.72 * 0.8 / (2 * 3.141592653589793 * 82000) * 3.525494348078172, rel=1e-12
     )

@@ -1,4 +1,4 @@
-"""The examples of the guides run as they stand there."""
+"""Tests that the examples of the guides run unchanged."""
 
 import json
 import os
@@ -28,7 +28,7 @@ DOCS = ROOT / "docs"
 
 
 def run_examples(guide: str, client: Any) -> dict[str, Any]:
-    """One after the other; what they leave behind."""
+    """Runs them in sequence; returns the names that they define."""
     names = {"client": client}
     examples = re.findall(r"^```python\n(.*?)^```", (DOCS / guide).read_text(), re.MULTILINE | re.DOTALL)
     assert len(examples) >= 4
@@ -51,7 +51,7 @@ def test_the_first_calls_of_a_readme(shared_daemon, page, tmp_path, monkeypatch)
     contactd.default_client().close()
     assert "tcp://127.0.0.1:5555" in text
     assert names["solution"].converged
-    if page == "README.md":  # tests/docs/test_five_programs.py has the rest
+    if page == "README.md":  # tests/docs/test_five_programs.py runs the rest
         assert names["table"].evidence.errors.zz.largest < 1e-3
         assert 0 < -names["solution"].forces.track.Fx < 0.3 * 80e3
         return
@@ -119,7 +119,7 @@ def test_the_guide_to_profiles(shared_daemon):
 
 
 def run_page(page: str, daemon: Any) -> dict[str, Any]:
-    """The names that the examples of a page leave behind, with clients of this daemon."""
+    """Returns the names that the examples of a page define, with clients of this daemon."""
     names: dict[str, Any] = {}
     for example in re.findall(r"^```python\n(.*?)^```", (DOCS / page).read_text(), re.MULTILINE | re.DOTALL):
         exec(compile(example.replace("tcp://127.0.0.1:5555", daemon.endpoint), f"docs/{page}", "exec"), names)
@@ -141,7 +141,7 @@ def test_the_guide_to_temperature(shared):
     assert names["warm"].temperature.largest == pytest.approx(152, abs=3)
     heat = names["met"].temperature
     assert heat.heat_upper + heat.heat_lower == pytest.approx(names["sliding"].frictional_power)
-    # Full slip of 0.0333: the upper surface is the slower one by that part, and takes less.
+    # Full slip is 0.0333: the upper surface is slower by this fraction, and travels less.
     assert heat.heat_upper / heat.heat_lower == pytest.approx(((1 - 0.0333 / 2) / (1 + 0.0333 / 2)) ** 0.5, rel=1e-3)
     assert names["constant"][-1] == pytest.approx(0.3, rel=1e-4)
     assert max(names["fallen"]) > names["fallen"][-1] + 0.01
@@ -150,7 +150,7 @@ def test_the_guide_to_temperature(shared):
 def test_the_guide_to_damage(shared):
     examples = re.findall(r"^```python\n(.*?)^```", (DOCS / "damage.md").read_text(), re.MULTILINE | re.DOTALL)
     names: dict[str, Any] = {"client": shared}
-    with warnings.catch_warnings():  # whoever copies an example shall have no doubts to weigh
+    with warnings.catch_warnings():  # examples must not cause warnings for users who copy them
         warnings.simplefilter("error", ContactWarning)
         exec(compile("\n".join(examples), "docs/damage.md", "exec"), names)
     assert names["step"].distance == 20
@@ -171,7 +171,7 @@ def test_the_guide_to_viscoelastic_bodies(shared):
 
 
 def test_the_guide_to_keys(daemons, tmp_path, monkeypatch):
-    """Its commands with folders of the test's own, its configuration, its clients, and the word to revoke a key."""
+    """Runs its commands with temporary folders, its configuration, its clients, and the command that revokes a key."""
     etc, home = tmp_path / "etc", tmp_path / ".config" / "contactd"
 
     def here(text):

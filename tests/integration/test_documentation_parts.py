@@ -1,4 +1,4 @@
-"""What the pages show in passing runs, too: indented lines of Python, parts of programs, and commands."""
+"""Tests parts of pages: indented lines of Python, parts of programs, and commands."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def indented(text: str) -> list[str]:
 
 
 def run(command: str, **replaced: str) -> subprocess.CompletedProcess[str]:
-    """A command line of a page, with our programs and the words that are otherwise here."""
+    """Returns a command line of a page, with our programs and local replacements of words."""
     words = [replaced.get(word, word) for word in shlex.split(command)]
     program = BIN / Path(words[0]).name
     return subprocess.run([program, *words[1:]], capture_output=True, text=True, timeout=50)

@@ -1,4 +1,5 @@
-"""Files of cases and of profiles with 2 MiB of one character: the service reads them at once, and nobody reads them a second time."""
+"""Tests files of cases and of profiles with 2 MiB of one character: the service reads them immediately, and only
+once."""
 
 import pytest
 
@@ -13,7 +14,7 @@ HEADS = {"prr": "header.begin\n type = 0\nheader.end\nspline.begin\n", "ban": ""
 @pytest.mark.parametrize("character", CHARACTERS)
 @pytest.mark.parametrize("ending", HEADS)
 def test_a_case_with_such_a_profile_is_wrong(shared, tmp_path, ending, character):
-    """Also with a scale and a mirror, for which it matters what the file says itself."""
+    """Uses also a scale and a mirror, for which statements in the file matter."""
     (tmp_path / f"rail.{ending}").write_text(HEADS[ending] + SIZE * CHARACTERS[character])
     case = rail_case(RFNAME=f"rail.{ending}", RAIL_SCALE=1000.0, RAIL_MIRRORY=-1)
     (outcome,) = computed(shared, [case], tmp_path)

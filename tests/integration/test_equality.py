@@ -1,4 +1,5 @@
-"""The comparison of two commits (python3 -m equality): quiet when nothing changed, and not when one bit did."""
+"""Tests the comparison of two commits (python3 -m equality): it reports nothing without changes, and a change of one
+bit."""
 
 from __future__ import annotations
 
@@ -17,7 +18,7 @@ from equality.differences import Explained, differences
 from equality.run import Run, run
 from support.daemons import BIN
 
-#: One of each kind that builds nothing.
+#: One case of each kind that builds nothing.
 FEW = [Case(number, kind, f"test/{kind}") for number, kind in enumerate(KINDS, 1) if "finite-element" not in kind]
 ANSWER: Contents = {
     "status.name": "OK",

@@ -1,4 +1,4 @@
-"""Tables that leave the daemon as files and come back with a contact problem."""
+"""Tests tables that the daemon exports to files and that return in a contact problem."""
 
 import dataclasses
 
@@ -32,15 +32,15 @@ EXPORT_PARAMS = {
 
 
 def by_values(problem: ContactProblem) -> ContactProblem:
-    """The same with its gap as an array: of a paraboloid between materials Hertz knows about the answer, where the solvers
-    start then, and of one between tables he does not."""
+    """Uses the gap as an array. For a paraboloid between materials, solvers start from Hertz's theory, which does not
+    apply to tables."""
     x, y = np.meshgrid(problem.grid.x, problem.grid.y)
     return problem.replace(gap=x**2 / (2 * problem.gap.Rx) + y**2 / (2 * problem.gap.Ry))
 
 
 @pytest.fixture(scope="module", params=[AnalyticIcs(), QUICK], ids=["analytic", "fem"])
 def cattaneo(request, shared_daemon):
-    """The Cattaneo problem with coefficients of either kind, and its solution."""
+    """Solves the Cattaneo problem with coefficients of either kind."""
     problem = by_values(CATTANEO.replace(ics=request.param))
     with shared_daemon.client() as client:
         return problem, client.solve(problem)
@@ -91,7 +91,7 @@ def test_an_ic_file_holds_the_table_and_what_made_it(shared, tmp_path, ics):
     assert table.evidence == expected.evidence
     assert (table.spec.material, table.spec.grid) == (STEEL, RECTANGLES)
     for field in dataclasses.fields(ics):
-        # The file says what decided the numbers; what did not is left out.
+        # The file contains the values that determine the numbers, and no others.
         if (value := getattr(table.spec.ics, field.name)) is not None:
             assert value == getattr(expected.spec.ics, field.name), field.name
     assert type(table.spec.ics) is type(ics)
@@ -157,7 +157,7 @@ def test_the_text_is_that_of_both_bodies_times_the_combined_modulus(shared):
         ["7", "4", *lines[3].split()[2:]],
     ]
     assert [float(word) for word in lines[3].split()[2:]] == [0.8, 0.4]
-    # As CONTACT reads it: blocks of two comments and mx lines for y offsets from -my+1 on.
+    # The file has CONTACT's format: blocks of two comments and mx lines for y offsets from -my+1 on.
     for block, iy in enumerate(range(-3, 4)):
         first = 4 + block * 9
         assert lines[first].startswith("%")
@@ -194,7 +194,7 @@ def test_exports_join_builds_and_use_the_cache(daemon, background):
         assert all(len(file.result()) > 1000 for file in files)
         client.export_ic(STEEL, GRID, QUICK, "contact", lower=STEEL)
         counters = client.info().counters
-    assert counters["builds_started"] <= 2  # a file may have come first, with a smaller extent
+    assert counters["builds_started"] <= 2  # a file with a smaller extent may have been written first
     assert counters["builds_joined"] + counters["memory_hits"] >= 3
 
 
@@ -241,7 +241,7 @@ def test_an_export_that_cannot_be_asked_for(raw, changes, field):
 
 @pytest.fixture(scope="module")
 def pair(shared_daemon):
-    """The coefficients of the Cattaneo problem."""
+    """Returns the coefficients of the Cattaneo problem."""
     with shared_daemon.client() as client:
         return TableIcs.from_table(client.get_ic(SOFT, CATTANEO.grid, AnalyticIcs()))
 

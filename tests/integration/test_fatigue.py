@@ -1,4 +1,4 @@
-"""Rolling contact fatigue from a daemon: of contacts, of wheels on rails, and stresses below curved columns."""
+"""Tests rolling contact fatigue from a daemon: of contacts, of wheels on rails, and stresses below curved columns."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Builders that stop, hang, take too long or run out of memory, and tables whose builds fail again and again."""
+"""Tests builders that stop, hang, take too long or run out of memory, and tables whose builds fail repeatedly."""
 
 import os
 import shutil
@@ -153,7 +153,7 @@ def test_the_kernel_would_end_a_builder_before_anything_else(daemon, client, bac
 @pytest.mark.timeout(TO_BUILD + 60)
 @pytest.mark.parametrize("kilobytes", [450_000, 520_000])
 def test_a_builder_that_spins_without_getting_on_is_ended(daemons, background, kilobytes):
-    # OpenBLAS asks for address space again and again when there is none.
+    # OpenBLAS requests address space repeatedly when none is left.
     program = script(daemons.folder, f"ulimit -v {kilobytes}", f'exec {BIN / "contactd-ic"} "$@"')
     daemon = daemons.start(builds={"program": str(program), "stall_seconds": 2})
     with daemon.client() as client:
@@ -164,7 +164,7 @@ def test_a_builder_that_spins_without_getting_on_is_ended(daemons, background, k
     program.unlink()
 
 
-@pytest.mark.timeout(300)  # factorises for twenty seconds where nothing else runs
+@pytest.mark.timeout(300)  # factorises for twenty seconds on an idle machine
 def test_a_long_factorisation_is_no_stall(daemons, background):
     daemon = daemons.start(builds={"stall_seconds": 1})
     with daemon.client() as client:

@@ -1,4 +1,4 @@
-"""What happens to the process of the daemon, or of a client: no descriptor left, SIGTERM under load, a wrong clock."""
+"""Tests faults of the daemon's or a client's process: no descriptor left, SIGTERM under load, a wrong clock."""
 
 import contextlib
 import signal

@@ -1,4 +1,4 @@
-"""A store that cannot be used costs a warning, never an answer; and what several daemons do to one store."""
+"""Tests that an unusable store causes a warning but no failure, and that several daemons can share one store."""
 
 import os
 import random
@@ -47,7 +47,7 @@ def expect_unsaved(client, nu, why):
 
 
 def recovers(client, nu):
-    """The request that finds the store usable again; its answer has no warning any more."""
+    """Sends a request after the store can be used again; its answer has no warning any more."""
     return unsaved(client.get_ic(steel(nu), GRID, QUICK)) == [] and warnings(client) == []
 
 
@@ -136,7 +136,7 @@ def test_the_least_recently_used_tables_go_when_the_budget_is_full(daemons):
 
 
 class Shelf:
-    """A store with room for three tables, and what ought to be in it: the least recently used first."""
+    """Creates a store with room for three tables, and its expected contents: the least recently used first."""
 
     def __init__(self, folder):
         self.folder = folder
@@ -147,7 +147,7 @@ class Shelf:
         return {path.name.partition(".")[0] for path in self.folder.glob("*.h5")}
 
     def use(self, client, nu):
-        """Asks for a table, and waits until the store knows of it."""
+        """Requests a table, and waits until the store has recorded it."""
         before = time.time()
         table = client.get_ic(steel(nu), GRID, QUICK)
         assert table.origin == "built" if nu not in self.expected else table.origin in ("memory", "disk")
@@ -242,7 +242,7 @@ def test_a_daemon_that_is_no_more_does_not_keep_another_from_building(daemons, b
         eventually(lambda: client.info().counters["builds_started"] == 1, "the second daemon does not build", 30)
         client.cancel_job(client.jobs()[0].job)
         assert [caller.exception() is None for caller in callers] == [False, False]
-    if blow == "SIGSTOP":  # it goes on where it was, with its build and its lock
+    if blow == "SIGSTOP":  # it continues with its build and its lock
         os.kill(first.pid, signal.SIGCONT)
         with first.client() as client:
             assert client.solve(CATTANEO).converged
@@ -277,7 +277,7 @@ def test_a_daemon_killed_at_any_moment_serves_whole_tables_afterwards(daemons, b
         eventually(lambda: not daemon.builders(), "a builder outlived its daemon")  # noqa: B023
         for path in daemon.tables():
             if moments.random() < 0.3:
-                path.unlink()  # so that there is something to build again
+                path.unlink()  # so that there is a table to build again
     with daemons.start().client() as client:
         for nu in ratios:
             np.testing.assert_array_equal(client.get_ic(steel(nu), GRID, QUICK).array, expected[nu])
@@ -294,7 +294,7 @@ def test_ten_thousand_tables_are_no_burden_at_the_start(daemons):
     daemon = daemons.start(store={"disk_budget_bytes": 10**12})
     stat = Path(f"/proc/{daemon.pid}/stat").read_text()
     ticks = [int(field) for field in stat.rpartition(")")[2].split()[11:13]]
-    assert sum(ticks) / os.sysconf("SC_CLK_TCK") < 2  # of the processor, whatever else the machine does
+    assert sum(ticks) / os.sysconf("SC_CLK_TCK") < 2  # processor time, independent of the load of the machine
     with daemon.client() as client:
         assert client.get_ic(STEEL, GRID, QUICK).origin == "disk"
         assert client.get_ic(steel(0.1), GRID, QUICK).origin == "built"

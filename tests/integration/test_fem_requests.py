@@ -1,4 +1,4 @@
-"""Finite-element tables by what is asked of them: an accuracy, a body, a load shape, any Poisson's ratio."""
+"""Tests finite-element tables by their requests: an accuracy, a body, a load shape, any Poisson's ratio."""
 
 from dataclasses import replace
 
@@ -10,7 +10,7 @@ from support.problems import CATTANEO, GRID, STEEL
 
 
 def scaled_errors(table, exact):
-    """Largest error of each component: xx, yy, zz relative, the others times 2 pi G rho / (dx dy)."""
+    """Returns the largest error of each component: xx, yy, zz relative, the others times 2 pi G rho / (dx dy)."""
     grid, material = table.spec.grid, table.spec.material
     l, k = np.mgrid[: grid.ny, : grid.nx]
     rho = np.hypot(k * grid.dx, l * grid.dy)
@@ -133,7 +133,7 @@ def test_a_family_serves_every_poissons_ratio_also_after_a_restart(daemons):
 
 
 def test_interpolation_adds_less_than_a_tenth_of_the_accuracy(client):
-    for nu in (0, 0.123, 0.28, 0.47, 0.481):  # where both have the same mesh
+    for nu in (0, 0.123, 0.28, 0.47, 0.481):  # if both have the same mesh
         family, direct = (
             client.get_ic(Material(82000, nu), GRID, FemIcs(accuracy=1e-2, any_nu=any_nu)) for any_nu in (True, False)
         )

@@ -1,4 +1,4 @@
-"""Fits of creep curves by a running daemon: the values that a curve was made with come back."""
+"""Tests fits of creep curves by a running daemon: they find the values with which a curve was made."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ BARE = problem(Friction(0.3, rolling=rolling()))
 
 
 def curve(client, of, by="xi", force="Fx", creepage=CREEPAGE):
-    """Coefficients of traction of problems that `of` makes of a Rolling."""
+    """Returns traction coefficients of problems that `of` makes of a Rolling."""
     answers = client.solve_many([of(rolling(**{by: float(x)})) for x in creepage], fields=[])
     assert all(answer.converged for answer in answers)
     return np.array([-getattr(answer.forces, force) / answer.Fn for answer in answers])
@@ -145,8 +145,8 @@ def test_what_does_not_converge_is_no_curve(shared):
 
 
 def test_layer_and_law_of_a_published_curve_come_back(shared):
-    """Four forces that the CONTACT program prints of its example tractcurv, second series: an elastic layer of 1.25 mm and
-    8200 N/mm^2, and 0.14 + 0.19 2^(-v/1250 mm/s) with memory, after Polach's Eurosprinter (Wear 2005)."""
+    """Uses four forces that the CONTACT program prints of its example tractcurv, second series: an elastic layer of
+    1.25 mm and 8200 N/mm^2, and 0.14 + 0.19 2^(-v/1250 mm/s) with memory, for Polach's Eurosprinter (Wear 2005)."""
     creepage = np.array([1e-5, 0.003, 0.015, 0.15])
     printed = 0.33 * np.array([1.869e-3, 0.4928, 0.9442, 0.6755])
     a, b = 6.30360, 12.60719

@@ -1,4 +1,4 @@
-"""Out-of-round wheels and massless flexible rails, with a daemon."""
+"""Tests out-of-round wheels and massless flexible rails, with a daemon."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ COARSE = WheelRailSetup(dx=0.8, dy=0.8)
 
 
 def with_flat() -> WheelRailSetup:
-    """A cylinder with a flat on an arc."""
+    """Creates a cylinder with a flat on an arc."""
     slices = []
     for angle in np.linspace(-3, 3, 61) * EDGE:
         z = min(0.0, (R - DEPTH) / math.cos(angle) - R)

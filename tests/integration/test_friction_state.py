@@ -1,4 +1,4 @@
-"""Layers between the surfaces and friction with memory, over the wire: what steps carry, what answers have, refusals."""
+"""Tests interfacial layers and friction with memory on the wire: the state of steps, answers, refusals."""
 
 import numpy as np
 import pytest

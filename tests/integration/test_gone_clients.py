@@ -1,4 +1,4 @@
-"""What clients asked for that have gone: nobody would hear the answer, so nobody computes it."""
+"""Tests requests of clients that have disconnected, which are not computed because nobody can receive the answer."""
 
 import pytest
 import zmq
@@ -13,7 +13,7 @@ from support.sessions import OPEN
 
 @pytest.fixture(params=["ipc", "tcp"])
 def busy(request, daemons, background):
-    """A daemon whose only worker is busy, and a client of it."""
+    """Provides a daemon whose only worker is busy, and a client of it."""
     endpoint = {"endpoint": "tcp://127.0.0.1:*"} if request.param == "tcp" else {}
     daemon = daemons.start(workers=1, **endpoint)
     with daemon.client() as client:
@@ -72,7 +72,7 @@ def test_more_requests_than_are_read_at_once_are_dropped_with_their_client(busy)
         for _ in range(200):
             raw.send("contact.solve", CATTANEO_PARAMS)
         eventually(lambda: len(queued(client)) > 0)
-        raw.socket.close()  # sends what is left before it goes
+        raw.socket.close()  # sends pending messages before it disconnects
     eventually(lambda: metric(client, "contactd_connections") == connections)
     eventually(lambda: queued(client) == [])
     assert client.info().queue["solves_waiting"] == 0
@@ -125,7 +125,7 @@ def test_a_build_counts_the_callers_that_still_wait(daemon, client, background, 
 
 def test_a_build_without_callers_goes_on_and_says_so(daemon, client):
     with pytest.raises(TimeoutExpired):
-        client.get_ic(STEEL, GRID, LONG, timeout=4)  # which begins to build within that, on a busy machine, too
+        client.get_ic(STEEL, GRID, LONG, timeout=4)  # begins to build within this time, also on a busy machine
     eventually(lambda: [job.callers for job in client.jobs()] == [0])
     assert len(daemon.builders()) == 1
     client.cancel_job(client.jobs()[0].job)
@@ -157,7 +157,7 @@ def test_a_client_that_chose_its_identity_gets_its_answer_when_it_is_back(busy):
     def connected():
         raw = RawClient(daemon.endpoint)
         raw.socket.close()
-        raw.socket = raw._context.socket(zmq.DEALER)  # the identity has to be chosen before connecting
+        raw.socket = raw._context.socket(zmq.DEALER)  # the identity must be set before connecting
         raw.socket.setsockopt(zmq.IDENTITY, b"mine")
         raw.socket.setsockopt(zmq.LINGER, 0)
         raw.socket.connect(daemon.endpoint)

@@ -1,4 +1,4 @@
-"""server.health answers while everything else is busy."""
+"""Tests that server.health answers while everything else is busy."""
 
 import time
 
@@ -8,9 +8,9 @@ from support.problems import ENDLESS, GRID, LONG, STEEL
 
 def test_health_answers_while_a_build_and_two_large_solves_run(daemon, client, background):
     work = [background(client.get_ic, STEEL, GRID, LONG)]
-    eventually(client.jobs)  # the solves take all workers, behind which a build would not even begin
+    eventually(client.jobs)  # the solves occupy all workers, so a build would not even begin
     work += [background(client.solve, ENDLESS) for _ in range(2)]
-    # One worker of two never takes large solves.
+    # One of two workers never takes large solves.
     eventually(lambda: sum(job.state == "running" for job in client.jobs()) == 2)
     latencies = []
     for _ in range(50):

@@ -1,4 +1,4 @@
-"""Bytes that no client would send: nobody else is hurt, and the sender hears a clear answer or the line goes dead."""
+"""Tests invalid bytes: other clients are not affected, and the sender gets an answer or is disconnected."""
 
 import json
 import os
@@ -14,7 +14,7 @@ from support.fortress import Fortress
 PATHS = ["../../../../etc/passwd", "/etc/passwd", "..", "a/../../b", "..\\..\\b", "file:///etc/passwd", "%2e%2e%2fetc",
          "x\u0000/etc/passwd", "~/.ssh/id_rsa", "$(touch hacked)", "; touch hacked", "/dev/zero", "con"]  # fmt: skip
 
-#: The greeting of a client of ZMTP 3.1, of the mechanism NULL.
+#: The greeting of a client of ZMTP 3.1, with the mechanism NULL.
 GREETING = b"\xff" + bytes(8) + b"\x7f\x03\x01" + b"NULL".ljust(20, b"\0") + bytes(32)
 READY = b"\x04\x1c\x05READY\x0bSocket-Type\x00\x00\x00\x06DEALER"
 
@@ -53,7 +53,7 @@ def hangs_up(stranger):
 
 @pytest.fixture(params=["plain", "CURVE"])
 def target(request, daemons, tmp_path):
-    """Daemon at a port and a client that must not notice anything."""
+    """Provides a daemon at a port and a client that must not be affected."""
     security = {"handshake_seconds": 1}
     if request.param == "plain":
         daemon = daemons.start(endpoint="tcp://127.0.0.1:*", security=security)
@@ -73,7 +73,7 @@ def test_strangers_bytes_end_their_connection_and_nothing_else(target):
             try:
                 stranger.sendall(data)
             except ConnectionError:
-                pass  # the daemon has hung up already
+                pass  # the daemon has already disconnected
             assert client.health() == "serving", name
             assert hangs_up(stranger), name
     assert client.info().counters["requests_failed"] == 0
@@ -112,7 +112,7 @@ def test_an_oversize_frame_of_an_allowed_user_costs_that_user_only(daemons, tmp_
     fortress = Fortress(daemons, tmp_path, limits={"max_frame_bytes": 4096, "max_message_bytes": 8192})
     with fortress.client() as careless, fortress.client() as client:
         assert careless.health() == "serving"
-        connection = careless._connections.take()  # the client itself would refuse
+        connection = careless._connections.take()  # the client itself would refuse it
         connection._socket.send_multipart([b"{}", bytes(1_000_000)])
         assert client.health() == "serving"
         careless._connections.give_back(connection, usable=False)
@@ -122,18 +122,18 @@ def test_an_oversize_frame_of_an_allowed_user_costs_that_user_only(daemons, tmp_
 def test_a_message_without_end_is_cut_off_and_messages_that_end_are_not(daemons):
     budget = 1 << 20
     daemon = daemons.start(endpoint="tcp://127.0.0.1:*", limits={"max_inbox_bytes": budget})
-    part = b"\x03" + (1 << 16).to_bytes(8, "big") + bytes(1 << 16)  # a long frame, more to come
+    part = b"\x03" + (1 << 16).to_bytes(8, "big") + bytes(1 << 16)  # a long frame, with more to follow
     with daemon.client() as client, daemon.raw() as raw, connect(daemon.endpoint) as endless:
         endless.sendall(GREETING)
         while b"ROUTER" not in endless.recv(4096):
-            pass  # it asks first whether we may
+            pass  # it first requests permission
         endless.sendall(READY)
         sent = 0
         with pytest.raises(ConnectionError):
             while sent < 1 << 30:
                 endless.sendall(part)
                 sent += len(part)
-        for _ in range(8):  # together more than the budget
+        for _ in range(8):  # exceed the budget together
             assert raw.ask("server.health", {}, bytes(budget // 4)).reason == "ARRAY_INVALID"
             assert client.health() == "serving"
         assert "limits.max_inbox_bytes" in daemon.log
@@ -188,7 +188,7 @@ def test_a_field_that_is_there_twice_is_refused_before_any_check(raw):
 
 
 def strings_of(value, path=()):
-    """The paths of all strings in a JSON value."""
+    """Returns the paths of all strings in a JSON value."""
     if isinstance(value, str):
         yield path
     elif isinstance(value, (dict, list)):
@@ -260,11 +260,11 @@ def test_no_text_of_a_request_reaches_the_file_system(shared_daemon, raw):
         for path in strings_of(params):
             for trick in PATHS:
                 answer = raw.ask(method, with_string(params, path, trick))
-                # A place to begin a list from is compared with names, no more, and a text is read.
+                # The start of a list is only compared with names, and a text is only read.
                 is_text = method.startswith("contact_file.")
                 refused = ("OK", "INVALID_ARGUMENT") if is_text else ("INVALID_ARGUMENT", "NOT_FOUND")
                 allowed = ("OK",) if method == "ic.list" else refused
-                if method == "session.step_many" and answer.status == "OK":  # each step has a status of its own
+                if method == "session.step_many" and answer.status == "OK":  # each step has its own status
                     assert answer.envelope["result"]["steps"][0]["status"]["name"] == "NOT_FOUND"
                     continue
                 assert answer.status in allowed, (method, path, trick)

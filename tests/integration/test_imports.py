@@ -1,4 +1,4 @@
-"""Tables that somebody has brought: whom they serve, what is reported of them, and what is refused."""
+"""Tests imported tables: which users they serve, reports about them, and refusals."""
 
 import hashlib
 import io
@@ -32,13 +32,13 @@ def exported(shared_daemon):
 
 @pytest.fixture
 def importer(daemons):
-    """A client of a daemon that builds nothing, so that what it answers was imported."""
+    """Provides a client of a daemon that builds nothing, so that all its answers use imported tables."""
     with daemons.start(builds={"program": "/bin/false"}).client() as client:
         yield client
 
 
 def sealed(image: bytes) -> bytes:
-    """A file of this content with the right digest, which whoever writes it computes."""
+    """Returns a file of this content with a valid digest, which any writer can compute."""
     digest = hashlib.sha256(image).hexdigest().encode()
     return (HEADER + digest + b"\n").ljust(512, b"\0") + image
 
@@ -168,7 +168,7 @@ HOSTILE = {
 }
 
 
-#: h5py takes a string that was not written for an empty one.
+#: h5py reads an unwritten string as empty.
 READ = {name: change for name, change in HOSTILE.items() if change is not unwritten}
 
 
@@ -222,7 +222,7 @@ def test_contents_go_from_daemon_to_daemon_without_hdf5(raw, shared, daemons):
 
 
 def stored_file(daemon, exported_from):
-    """A file of the store of a daemon that has built the table."""
+    """Returns a file of the store of a daemon that has built the table."""
     exported_from.get_ic(STEEL, GRID, QUICK)
     return next(path for path in daemon.tables() if path.name.endswith(f".{GRID.nx}x{GRID.ny}.h5"))
 

@@ -1,4 +1,4 @@
-"""job.list and job.cancel, and timeouts of calls that wait for jobs."""
+"""Tests job.list and job.cancel, and timeouts of calls that wait for jobs."""
 
 from dataclasses import replace
 
@@ -138,7 +138,7 @@ def test_a_job_that_does_not_exist_cannot_be_cancelled(shared, job):
 
 def test_a_build_goes_on_when_its_caller_ran_out_of_time(client):
     ics = FemIcs("paper-test3", L_over_h=160)
-    client.health()  # connected, so that the time is that of the request
+    client.health()  # is connected, so that the time is that of the request
     with pytest.raises(TimeoutExpired):
         client.get_ic(STEEL, GRID, ics, timeout=0.1)
     assert client.get_ic(STEEL, GRID, ics).origin in ("built", "memory")

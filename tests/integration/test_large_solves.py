@@ -1,4 +1,4 @@
-"""Large solves do not hold up small ones of other clients."""
+"""Tests that large solves do not delay small ones of other clients."""
 
 from contactd import Friction, Grid, Rolling
 from support.daemons import eventually, resident
@@ -18,7 +18,7 @@ def test_small_solves_are_answered_while_large_ones_have_what_workers_they_may(d
         for _ in range(5):
             assert other.solve(SMALL).converged
         assert not any(solve.done() for solve in large)
-        with daemon.raw() as raw:  # the worker of the last small solve ends a moment after its answer has come
+        with daemon.raw() as raw:  # the worker of the last small solve ends a moment after its answer was sent
             eventually(lambda: raw.ask("server.info").result["queue"]["solves_running"] == 1)
         for job in other.jobs():
             other.cancel_job(job.job)
@@ -47,7 +47,7 @@ def test_memory_goes_back_to_the_system_after_a_burst(daemons):
     with daemon.client() as client:
         client.solve(SMALL)
         before = resident(daemon)
-        # Small ones have small operators, which are kept; answers are not.
+        # Small solves have small operators, which are kept; answers are not.
         assert all(solution.converged for solution in client.solve_many([SMALL.replace(grid=Grid.centred(31, 31, 2.4, 2.4))] * 1000))
         taken = resident(daemon, "VmHWM") - before
         assert taken > 50 << 20, "no burst"

@@ -1,4 +1,4 @@
-"""Bodies of layers through a daemon: tables, solves, sessions, and what is refused."""
+"""Tests layered bodies through a daemon: tables, solves, sessions, and refusals."""
 
 import numpy as np
 import pytest
@@ -175,7 +175,7 @@ def test_a_line_contact_of_layers_is_refused_with_the_way_round_it(shared, share
         client.solve(**problem, **bodies)
     row = {name: value for name, value in bodies.items() if name in ("upper", "lower")}
     solution = shared.solve(**problem, **row)
-    # Hertz: pmax = sqrt(F E*/(pi R)) for the force F a length, E* = G/(1 - nu) of two equal bodies.
+    # By Hertz, pmax = sqrt(F E*/(pi R)) for the force F per length, E* = G/(1 - nu) for two equal bodies.
     modulus = STEEL.G / (1 - STEEL.nu)
     assert solution.pmax == pytest.approx((1e4 / 20 * modulus / (np.pi * 100)) ** 0.5, rel=5e-3)
     assert solution.warnings == ()

@@ -1,4 +1,4 @@
-"""The limits that server.info publishes are kept by both sides."""
+"""Tests that client and daemon comply with the limits published by server.info."""
 
 import os
 import re

@@ -1,5 +1,5 @@
-"""Short versions of ./dev load and ./dev load random: random messages, small and large, and good and bad clients at the same
-time."""
+"""Runs short versions of ./dev load and ./dev load random: random messages, small and large, and good and faulty
+clients at the same time."""
 
 import pytest
 
@@ -22,9 +22,9 @@ def test_every_random_message_gets_one_status(daemons):
     assert growth < 20 << 20, f"memory grew by {growth} bytes in the second half"
 
 
-@pytest.mark.slow  # 300 large messages, each with seconds of time
+@pytest.mark.slow  # sends 300 large messages, which take seconds each
 @pytest.mark.timeout(300)
-@pytest.mark.xdist_group("alone")  # one after the other with tests of test_bounds that measure times
+@pytest.mark.xdist_group("alone")  # runs in sequence with tests of test_bounds that measure times
 def test_random_messages_with_large_grids_keep_a_daemon_within_its_bounds(daemons):
     less = {"limits": {"max_work_bytes": 1 << 30}}
     daemon = daemons.start(**laid_over(large_load.CONFIG, less))

@@ -1,4 +1,4 @@
-"""The log: one line an event, for people or for programs, whatever clients send."""
+"""Tests the log: one line per event, as text or JSON, for any text that clients send."""
 
 import json
 import re
@@ -14,7 +14,7 @@ NASTY = 'x" status=OK\n2026-01-01T00:00:00.000 error forged\r\x1b[31m\x85 \u2028
 
 
 def requests_in(daemon):
-    """Lines of requests, as objects."""
+    """Returns lines of requests, as objects."""
     return [line for line in map(json.loads, daemon.log.splitlines()) if line["message"] == "request"]
 
 

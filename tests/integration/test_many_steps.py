@@ -1,4 +1,4 @@
-"""Steps of several sessions in one message, by a real daemon."""
+"""Tests steps of several sessions in one message, by a real daemon."""
 
 import threading
 from contextlib import ExitStack
@@ -27,7 +27,7 @@ ROLLING = Friction(mu=0.3, rolling=Rolling(kind="transient"))
 
 @pytest.fixture
 def opened(shared):
-    """opened(n, ...) are n sessions of `shared`."""
+    """opened(n, ...) returns n sessions of `shared`."""
     with ExitStack() as sessions:
         yield lambda count, **changes: [sessions.enter_context(open_session(shared, **changes)) for _ in range(count)]
 

@@ -1,4 +1,4 @@
-"""Memory that requests have taken goes back to the system when the daemon is quiet."""
+"""Tests that memory of requests is returned to the system when the daemon is idle."""
 
 import time
 
@@ -37,7 +37,7 @@ def test_operators_beyond_their_budget_go_after_a_minute(daemons):
     with daemon.client() as client:
         problem = CATTANEO.replace(grid=Grid.centred(400, 400, 2.4, 2.4))
         client.solve(problem, fields=[])
-        time.sleep(50)  # what the solve itself took has gone back
+        time.sleep(50)  # the memory of the solve itself was returned
         operators = kept(client)
         assert operators > 30 * MEBIBYTE
         before = resident(daemon)

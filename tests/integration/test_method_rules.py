@@ -1,4 +1,4 @@
-"""Methods that the configuration switches off, or gives to some users: everywhere it can be asked for."""
+"""Tests methods that the configuration disables or restricts to some users, in every way to call them."""
 
 import os
 import subprocess

@@ -1,4 +1,4 @@
-"""server.metrics, and what monitoring reads by HTTP."""
+"""Tests server.metrics, and the pages for monitoring by HTTP."""
 
 import json
 import re
@@ -26,7 +26,8 @@ GRAFANA = Path(__file__).parents[2] / "configs" / "grafana.json"
 
 @pytest.fixture(scope="module")
 def http_daemon():
-    """One for tests that do not disturb each other: an HTTP listener takes two seconds to end."""
+    """Provides one daemon for tests that do not affect each other, because an HTTP listener takes two seconds to
+    end."""
     started = Daemons()
     try:
         yield started.start(http=HTTP)
@@ -35,7 +36,7 @@ def http_daemon():
 
 
 def get(daemon, path):
-    """Status and text of a page."""
+    """Returns status and text of a page."""
     try:
         with urllib.request.urlopen(daemon.http + path, timeout=20) as page:
             return page.status, page.read().decode()
@@ -191,7 +192,7 @@ def test_two_hundred_half_open_connections_hold_no_probe_up(http_daemon, begin):
         for connection in connections:
             connection.sendall(begin)
         assert get(http_daemon, "/healthz") == (200, "alive\n")
-        # Answered while they are there, not after they were given up one by one.
+        # It is answered while they are connected, not after they have timed out one by one.
         still_open = [c for c in connections if not select.select([c], [], [], 0)[0]]
         assert len(still_open) > 100
 

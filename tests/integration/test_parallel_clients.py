@@ -1,4 +1,4 @@
-"""One client in many processes and threads: the answers are those of one after the other."""
+"""Tests one client in many processes and threads: the answers equal those of sequential calls."""
 
 import multiprocessing
 import os
@@ -12,13 +12,13 @@ from support.processes import PROBLEM, force_at, in_fork
 from support.sessions import open_session
 
 APPROACHES = [0.005 + 0.001 * n for n in range(16)]
-# Nothing of the threads that run here is used by the children.
+# The children use no data of the threads that run here.
 forks = pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
 
 
 @pytest.fixture
 def plain(shared_daemon):
-    """Already used, so that it has connections to be inherited."""
+    """Uses the client first, so that it has connections to be inherited."""
     with Client(shared_daemon.endpoint) as client:
         client.health()
         yield client
@@ -60,7 +60,7 @@ def test_threads_share_a_client(plain, expected):
 
 @forks
 def test_threads_and_processes_share_a_client(plain, expected):
-    """While threads ask, processes are forked that ask, too."""
+    """While threads send requests, processes are forked that also send some."""
     with ThreadPoolExecutor(4) as threads:
         asked = [threads.submit(force_at, plain, approach) for approach in APPROACHES]
         assert [in_fork(lambda a=approach: force_at(plain, a)) for approach in APPROACHES[:6]] == expected[:6]
@@ -86,7 +86,7 @@ def test_a_session_goes_on_in_a_forked_process_that_joins_it(plain):
 
 
 def test_threads_that_share_a_session_take_each_step_once(plain):
-    """Each call takes a step of its own, or is refused."""
+    """Each call takes a separate step, or is refused."""
     with open_session(plain) as session:
         taken, refused = [], []
 

@@ -1,4 +1,4 @@
-"""Profiles in files: a client reads them, a daemon their text."""
+"""Tests profiles in files: a client reads the file, a daemon its text."""
 
 from __future__ import annotations
 

@@ -1,6 +1,7 @@
-"""Measured profiles in hundreds of forms: never upside down, never in another unit, never without a word.
+"""Tests hundreds of variants of measured profiles: the orientation and the unit must be correct, and every doubt must
+cause a warning.
 
-The files are public ones of the CONTACT program, which are read where they lie, beside the repository.
+The files are public ones of the CONTACT program, which are read from their folder next to the repository.
 """
 
 from __future__ import annotations
@@ -30,8 +31,8 @@ TRACK = Track(rail_origin=(750.0, 0.0))
 
 @dataclass(frozen=True)
 class Variant:
-    """A file that is made of a profile, what is said beside it, and what must come of it: the profile, the points that are
-    given here, or a refusal that says one of some words."""
+    """Describes a variant of a profile's file, its options, and the expected result: the profile, these points, or a
+    refusal that contains one of some words."""
 
     name: str
     ending: str
@@ -44,13 +45,13 @@ class Variant:
 
 
 def rows(points: Any, between: str = " ", behind: str = "", comma: bool = False) -> str:
-    """A line a point; all digits that matter."""
+    """Writes one point per line, with all significant digits."""
     lines = [f"{y:.7f}{between}{z:.7f}" for y, z in points]
     return "".join(f"{line.replace('.', ',') if comma else line}{behind}\n" for line in lines)
 
 
 def simpack(kind: str, body: str, keys: str = "units.len.f = 1000\n", type_line: str = "type = {}\n") -> str:
-    """Its head as programs write it."""
+    """Writes a file's head like other programs."""
     head = "header.begin\n  version = 1\n" + type_line.format(1 if kind == "wheel" else 0) + "header.end\nspline.begin\n"
     return f"{head}approx.smooth = 0.0\nfile = 'none'\n{keys}point.begin\n{body}point.end\nspline.end\nanything = at all\n"
 
@@ -69,9 +70,9 @@ def variants(kind: str, points: Any) -> Iterator[Variant]:
     """All forms of a profile."""
     miniprof, spline = (".whl", ".prw") if kind == "wheel" else (".ban", ".prr")
     up, aside = points * (1, -1), points * (-1, 1)
-    # A rail may be a groove, for which it is taken.
+    # A rail may be accepted as a groove.
     wrong: dict[str, Any] = {"refusal": ("mirror_z", "out of order"), "warning": "upside down" if kind == "rail" else ""}
-    # Order, and which way z points.
+    # Variants change the order, and the direction of z.
     for name, given in (("", points), (", z upwards", up), (", reversed", points[::-1]), (", reversed and upwards", up[::-1])):
         yield Variant(f"columns{name}", ".txt", rows(given))
         yield Variant(f"MiniProf{name}", miniprof, HEADS["keys"] + rows(given))
@@ -116,12 +117,12 @@ def variants(kind: str, points: Any) -> Iterator[Variant]:
     columns = "".join(f"{i} {z:.7f} 0.5 {y:.7f}\n" for i, (y, z) in enumerate(up))
     yield Variant("MiniProf, other columns", miniprof, "ColumnDef=N,Y,A,X\n\n" + columns)
     yield Variant("MiniProf with offsets", miniprof, "XOffset=10\nYoffset=-2.5\n\n" + rows(up - (10, -2.5)))
-    # Parts: what is left may not show what it was.
+    # Variants contain only parts, which may not show the original orientation.
     for name, kept in (("first", slice(None, -len(points) // 3)), ("last", slice(len(points) // 3, None)), ("middle", slice(len(points) // 4, -len(points) // 4))):
         yield Variant(f"the {name} part", ".txt", rows(points[kept]), points=points[kept], part=True)
         yield Variant(f"the {name} part, upwards", miniprof, HEADS["keys"] + rows(up[kept]), points=points[kept], part=True)
         yield Variant(f"the {name} part, said", ".txt", rows(up[kept]), {"mirror_z": True, "unit": 1}, points=points[kept], part=True)
-    # Files that are no profiles.
+    # These files are not profiles.
     yield Variant("a word in the place of a number", ".txt", rows(points[:9]) + "0,1 zwei\n", refusal=("line 10",))
     yield Variant("a third number", ".txt", rows(points[:9]) + "1 2 3\n", refusal=("line 10",))
     yield Variant("a file that was cut off", spline, simpack(kind, rows(points)).partition("point.end")[0], refusal=("point.end",))
@@ -130,7 +131,7 @@ def variants(kind: str, points: Any) -> Iterator[Variant]:
 
 
 def distance(points: Any, line: Any) -> float:
-    """The largest distance of every third point from the lines between others (mm)."""
+    """Returns the largest distance of every third point from the lines between others (mm)."""
     points = points[::3]
     begin, along = line[:-1], np.diff(line, axis=0)
     from_begin = points[:, None] - begin
@@ -139,7 +140,7 @@ def distance(points: Any, line: Any) -> float:
 
 
 def read(client: Any, kind: str, profile: ProfileFile) -> Any:
-    """The curve's points and their evidence."""
+    """Returns the curve's points and their evidence."""
     setup = WheelRailSetup(wheel=profile, track=TRACK) if kind == "wheel" else WheelRailSetup(rail=profile, track=TRACK)
     placed = client.placed_profiles(setup).right
     return (placed.wheel, placed.wheel_evidence) if kind == "wheel" else (placed.rail, placed.rail_evidence)

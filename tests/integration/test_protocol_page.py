@@ -1,4 +1,4 @@
-"""docs/protocol.md is what the schemas say."""
+"""Tests that docs/protocol.md agrees with the schemas."""
 
 import importlib.util
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""solves.recent and solves.pressures: what a user learns of his last solves."""
+"""Tests solves.recent and solves.pressures, which report a user's last solves."""
 
 import pytest
 

@@ -1,4 +1,4 @@
-"""What is on disk after a crash or damage is either whole and served, or set aside and built again."""
+"""Tests files after a crash or damage: they are served if complete, and otherwise set aside and built again."""
 
 import hashlib
 from dataclasses import replace
@@ -14,7 +14,7 @@ from support.problems import GRID, LONG, QUICK, STEEL
 
 @pytest.fixture
 def stored(daemons):
-    """A table in the store of a daemon that has ended."""
+    """Provides a table in the store of a daemon that has ended."""
     daemon = daemons.start()
     with daemon.client() as client:
         table = client.get_ic(STEEL, GRID, QUICK)
@@ -52,7 +52,7 @@ def replace_by_rubbish(path):
 
 
 def with_attribute(path, group, name, value):
-    """Puts another value into the HDF5 of a table, and the digest that belongs to it into the header."""
+    """Puts another value into the HDF5 of a table, and the corresponding digest into the header."""
     with h5py.File(path, "r+") as file:
         file[group].attrs[name] = value
     whole = path.read_bytes()

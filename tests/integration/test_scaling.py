@@ -1,4 +1,4 @@
-"""Many daemons behind one address, and a study on several workers."""
+"""Tests many daemons at one address, and a study on several workers."""
 
 import contextlib
 import importlib.util
@@ -114,7 +114,7 @@ def is_unknown(session):
     try:
         session.step()
     except Unavailable:
-        return False  # the proxy has not heard of it yet
+        return False  # the proxy has not received it yet
     except NotFound as error:
         return error.reason == "SESSION_UNKNOWN"
     return False
@@ -140,7 +140,7 @@ def test_a_study_runs_on_two_dask_workers():
     forces = [float(row.split()[2]) for row in rows]
     assert all(force > 0 for force in forces)
     assert {row.split()[3] for row in rows} <= {"built", "disk", "memory"}
-    assert sum(row.split()[3] == "built" for row in rows) == 4  # each table once, whoever asked first
+    assert sum(row.split()[3] == "built" for row in rows) == 4  # each table once, for any order of requests
 
 
 STUDY = """\
@@ -156,7 +156,7 @@ answers: [forces.Fn, evidence.ics.upper.origin]
 
 @contextlib.contextmanager
 def a_store_with_one_table():
-    """A folder whose store has the table of the study, where users other than this one may read, too."""
+    """Provides a folder whose store contains the table of the study, readable by other users."""
     with tempfile.TemporaryDirectory(prefix="study-", dir="/tmp") as name:
         folder = Path(name)
         folder.chmod(0o755)
@@ -170,7 +170,7 @@ def a_store_with_one_table():
 
 
 def by_permission(folder):
-    """Nobody may write there, root neither once it has put its powers down."""
+    """The folder is not writable, not even for root without capabilities."""
     (folder / "store").chmod(0o555)
     return ["setpriv", "--inh-caps=-all", "--bounding-set=-all"] if os.geteuid() == 0 else []
 

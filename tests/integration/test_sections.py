@@ -1,4 +1,5 @@
-"""Tables of longitudinally uniform bodies through a daemon: built once for any elements along x, kept, and refused by a sentence."""
+"""Tests tables of longitudinally uniform bodies through a daemon: built once for any elements along x, kept, and
+refused with a message."""
 
 import hashlib
 import io
@@ -90,7 +91,7 @@ def test_a_table_within_the_accuracy_asked_for_is_not_warned_of_where_its_level_
 @pytest.mark.timeout(180)  # the table takes a quarter of a minute by itself
 @pytest.mark.parametrize(("distance", "change", "more"), [(3, 0.003, 0.09), (0.5, -0.22, 0.43), (0, -0.45, 0.5)])
 def test_near_an_edge_pressures_fall_below_those_of_a_half_space_that_is_cut_off(shared, distance, change, more):
-    grid = Grid(12, 20, 0.25, 0.25, -1.5, distance - 5)  # beside a cut the largest pressure grows with finer elements
+    grid = Grid(12, 20, 0.25, 0.25, -1.5, distance - 5)  # next to a cut, finer elements increase the largest pressure
     edge = {"edge_block": {"width": 100, "height": 50}}
 
     def solve(ics):
@@ -157,7 +158,7 @@ def profile(points, **changes):
 
 
 def test_a_measured_profile_is_a_section(shared):
-    """Of a rail whose head is a parabola: its strips lie on it, and its coefficients are those of its formula."""
+    """Uses a rail whose head is a parabola: its strips lie on it, and its coefficients are those of its formula."""
     grid = Grid.centred(9, 20, 4.5, 10)
     table = shared.get_ic(STEEL, grid, AnalyticIcs(body="longitudinally_uniform", section=profile(HEAD)))
     assert table.frames[:, 1] == pytest.approx(-(table.frames[:, 0] ** 2) / 600, abs=2e-4)
@@ -219,7 +220,7 @@ def test_an_outline_that_is_none_is_refused_with_the_place_however_often(shared,
     parts = [{"line": {"to": {"y": y, "z": z}}, "clamped": z == -20} for y, z in corners]
     section = {"outline": {"outside": {"start": {"y": 0, "z": 0}, "parts": parts}}}
     sphere = {"grid": GRID, "upper": RigidBody(), "gap": Paraboloid(50, 50), "Fn": 5000}
-    for _ in range(3):  # a table that was refused is not put into quarantine
+    for _ in range(3):  # a refused table is not put into quarantine
         with pytest.raises(InvalidArgument, match=says) as caught:
             shared.solve(**sphere, lower=STEEL, lower_ics=fem(section))
         assert "(y, z) = (" in caught.value.message

@@ -1,4 +1,4 @@
-"""Who is let in, and what strangers at the port cannot do."""
+"""Tests which clients are admitted, and what others at the port cannot do."""
 
 import json
 import os
@@ -55,7 +55,7 @@ def test_a_client_that_encrypts_is_told_that_the_daemon_does_not(daemons, tmp_pa
 
 
 def test_a_client_of_the_server_key_alone_is_not_let_in(fortress):
-    """Whoever knows the public key of the daemon knows nothing that lets him in: the daemon's own pair included."""
+    """The public key of the daemon gives no access, and neither does the daemon's own pair."""
     with fortress.client(own_key=fortress.secret) as client, pytest.raises(Unauthenticated):
         client.health()
 
@@ -192,7 +192,7 @@ def test_no_secret_is_shown(fortress):
 
 
 def refused(tmp_path, **config):
-    """The sentence with which the daemon does not start."""
+    """Returns the message with which the daemon refuses to start."""
     path = tmp_path / "refused.json"
     path.write_text(json.dumps({"store": {"folder": str(tmp_path / "store")}, **config}))
     ended = subprocess.run([BIN / "contactd", "--config", path], capture_output=True, text=True, timeout=30)
@@ -365,7 +365,8 @@ def test_a_builder_gets_no_variable_that_is_not_listed_and_no_open_file(daemons,
         assert "OMPI_MCA_contactd_test=passed" in names_and_values
         assert "OMP_NUM_THREADS=1" in names_and_values
         assert not any("sesame" in variable or "OMP_NUM_THREADS=7" in variable for variable in names_and_values)
-        # Besides the pipes of standard input, output and error there is one by which the daemon notices its end.
+        # In addition to the pipes of standard input, output and error, one pipe shows the daemon the end of the
+        # process.
         shared = {os.readlink(link) for link in open_files(builder)} & {os.readlink(link) for link in open_files(daemon.pid)}
         assert all(what.startswith("pipe:") for what in shared), shared
         assert len(shared) <= 4

@@ -1,4 +1,4 @@
-"""Sessions: states to go back to, leases, ends and limits."""
+"""Tests sessions: saved states, leases, ends and limits."""
 
 import pytest
 
@@ -21,7 +21,7 @@ def test_restore_goes_back_as_often_as_wanted_and_gives_the_same_answers_bit_for
         ]
         for answer in answers:
             for evidence in answer.result["evidence"].values():
-                if isinstance(evidence, dict):  # and not the word for a solver
+                if isinstance(evidence, dict):  # not the keyword of a solver
                     evidence.pop("seconds", None)  # the discretisation has none
         return [(answer.result, answer.frames) for answer in answers]
 

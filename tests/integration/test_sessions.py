@@ -1,4 +1,4 @@
-"""Steps of sessions: what they solve, and that each number is answered once."""
+"""Tests steps of sessions: their solutions, and that each number is answered once."""
 
 import numpy as np
 import pytest

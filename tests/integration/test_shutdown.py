@@ -1,4 +1,5 @@
-"""SIGTERM and SIGINT end the daemon in order, whatever it is doing: what was accepted is finished within its time, or answered."""
+"""Tests that SIGTERM and SIGINT end the daemon in order at any time: accepted requests are finished within their time,
+or answered."""
 
 import signal
 
@@ -38,7 +39,7 @@ def test_a_daemon_that_has_worked_ends_with_status_zero(daemon, client, ending):
 def test_a_building_daemon_ends_its_builder_and_tells_its_callers(daemon, client, background, ending):
     callers = [background(client.get_ic, STEEL, GRID, LONG) for _ in range(2)]
     callers.append(background(client.solve, CATTANEO.replace(grid=GRID, upper=STEEL, ics=LONG)))
-    # The solve is a job as well, and which of the three comes first is left to chance.
+    # The solve is also a job, and the order of the three is random.
     eventually(lambda: any(job.kind == "build" and job.callers == 3 for job in client.jobs()))
     eventually(daemon.builders)
     assert end(daemon, ending) == 0
@@ -95,7 +96,7 @@ def test_what_was_accepted_is_finished_and_what_is_new_is_refused(daemons, backg
         with pytest.raises(Unavailable) as caught:
             client.solve(CATTANEO)
         assert caught.value.reason == "STOPPING"
-        for job in client.jobs():  # the client may still end what it waits for, and then nothing is left to wait for
+        for job in client.jobs():  # the client may still cancel its request, after which none is left to wait for
             if job.kind == "build":
                 client.cancel_job(job.job)
         for future in (caller, accepted):

@@ -1,4 +1,4 @@
-"""contact.solve: the Cattaneo problem of the paper, and the ways to ask for it."""
+"""Tests contact.solve: the Cattaneo problem of the paper, and ways to request it."""
 
 import numpy as np
 import pytest
@@ -14,13 +14,13 @@ from contactd import (
 )
 from support.problems import CATTANEO, CATTANEO_PARAMS
 
-# An established half-space code, the same discretisation: Fz, |Fx|, pmax, area, adhesion, slip.
+# An established half-space code with the same discretisation: Fz, |Fx|, pmax, area, adhesion, slip.
 ESTABLISHED = {
     10: (9.21043857, 3.22153276, 4.34658684, 2.9952, 16, 36),
     40: (9.19731113, 3.22211266, 4.38757728, 3.1680, 216, 664),
 }
 HERTZ_FORCE = 9.195402
-LIMIT_FX = 3.2216  # of TangCG with analytic coefficients as h -> 0 (paper, section 4.2)
+LIMIT_FX = 3.2216  # limit of TangCG with analytic coefficients for h -> 0 (paper, section 4.2)
 
 
 @pytest.fixture(scope="module")
@@ -64,7 +64,7 @@ def test_tractions_keep_to_coulombs_bound(solution):
 
 def test_a_gap_given_as_array_is_the_paraboloid(shared):
     x, y = np.meshgrid(CATTANEO.grid.x, CATTANEO.grid.y)
-    # Exact ones, since solvers start from Hertz's pressures under a paraboloid.
+    # The values are exact, because solvers start from Hertz's pressures under a paraboloid.
     exact = CATTANEO.replace(normal=SolverSettings(tolerance=1e-12), tangential=SolverSettings(tolerance=1e-11))
     solution = shared.solve(exact)
     other = shared.solve(exact.replace(gap=x**2 / 100 + y**2 / 100))
@@ -132,7 +132,7 @@ def test_friction_between_dissimilar_bodies_takes_an_outer_iteration(shared, sol
 
 
 def test_bodies_with_equal_coupling_constants_take_friction(shared):
-    # (1 - 2 nu) / G is equal, so the bodies are quasi-identical though they differ.
+    # (1 - 2 nu) / G is equal, so the dissimilar bodies are quasi-identical.
     lower = Material(G=200 * (1 - 2 * 0.3) / (1 - 2 * 0.42), nu=0.3)
     assert shared.solve(CATTANEO.replace(lower=lower)).converged
 
@@ -188,7 +188,7 @@ def test_a_solve_brings_the_arrays_that_it_is_asked_for(shared, solution):
 @pytest.mark.slow  # builds the table of a block with the paper's finest mesh, and solves on 160 x 160 elements
 @pytest.mark.timeout(600)
 def test_finite_elements_reach_the_accuracy_of_the_paper(shared):
-    """Read between all nodes, which is what gives the paper's Fx (0.03 %)."""
+    """Tables interpolated between all nodes reproduce the paper's Fx (0.03 %)."""
     grid = Grid.centred(160, 160, 2.4, 2.4)
     ics = FemIcs("paper-test3", L_over_h=1024 / grid.dx, sampling="linear_nodes")
     solution = shared.solve(CATTANEO.replace(grid=grid, ics=ics), timeout=500)
@@ -201,7 +201,7 @@ def test_finite_elements_reach_the_accuracy_of_the_paper(shared):
 @pytest.mark.slow  # builds the table of a block with the paper's finest mesh, and solves on 160 x 160 elements
 @pytest.mark.timeout(600)
 def test_what_the_clamped_block_costs_goes_with_its_size(shared):
-    """Clamping at 1024 mm alone shifts Fx by 0.10 %, whatever the mesh; a thousand times further it is gone."""
+    """Clamping at 1024 mm alone shifts Fx by 0.10 % on any mesh; a thousand times farther away the shift vanishes."""
     grid = Grid.centred(160, 160, 2.4, 2.4)
     ics = FemIcs("paper-test3", L_over_h=1_024_000 / grid.dx)
     solution = shared.solve(CATTANEO.replace(grid=grid, ics=ics), timeout=500)

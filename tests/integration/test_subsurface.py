@@ -1,4 +1,4 @@
-"""contact.subsurface: stresses inside the bodies of a solution."""
+"""Tests contact.subsurface: stresses inside the bodies of a solution."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ PARAMS = {
     "traction_x": [[0.1, 0]],
     "block": {"x": [0], "y": [0], "z": [0, -1]},
 }
-#: As many points as a message takes, none of them on a raster: work for hours.
+#: The maximum number of points in a message, without a raster, which take hours.
 ENDLESS = StressBlock(np.sqrt(np.arange(1, 1001)), np.sqrt(np.arange(1, 1001)), [-1, -2])
 
 
@@ -283,7 +283,7 @@ def test_the_surface_displaces_by_what_the_solution_says(shared):
     lower = shared.subsurface(problem, solution, block=block, displacements=True)
     upper = shared.subsurface(problem, solution, body="upper", block=block, displacements=True)
     scale = np.abs(solution.displacement_z).max()
-    # Both bodies yield into themselves, each along -z of its own frame.
+    # Both bodies are displaced inwards, each along -z of its own frame.
     np.testing.assert_allclose(-(lower.displacement_z + upper.displacement_z)[0], solution.displacement_z, atol=1e-9 * scale)
     np.testing.assert_allclose((upper.displacement_x - lower.displacement_x)[0], solution.displacement_x, atol=1e-9 * scale)
     np.testing.assert_allclose((upper.displacement_y - lower.displacement_y)[0], solution.displacement_y, atol=1e-9 * scale)

@@ -1,4 +1,4 @@
-"""Temperatures of surfaces, from a daemon: of contacts, of steps and of wheels on rails; friction by them."""
+"""Tests temperatures of surfaces from a daemon: of contacts, of steps and of wheels on rails, and friction by them."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ def test_a_wheel_that_slides_leaves_its_heat_to_the_rail(shared):
         found = max((patch.solution for patch in solution.patches), key=lambda patch: patch.Fn).temperature
         wheel = found.heat_lower / (found.heat_upper + found.heat_lower)
         assert wheel < most
-        if rolls < 1:  # the speed of the rail is that of the train
+        if rolls < 1:  # the rail moves at the speed of the train
             assert wheel == pytest.approx(rolls**0.5 / (1 + rolls**0.5), abs=0.02)
 
 

@@ -1,4 +1,5 @@
-"""Daemons with the transforms of ducc0 and of FFTW answer alike, and name the library that they have."""
+"""Tests that daemons with the transforms of ducc0 and of FFTW have equal answers within tolerances, and name their
+library."""
 
 from __future__ import annotations
 
@@ -14,7 +15,7 @@ from support.daemons import Daemons
 from support.problems import CATTANEO, QUICK
 
 BUILD = Path(__file__).parents[2] / "build"
-#: Of solves to a tolerance of 1e-6, as shares of the largest pressure and of the bound of friction.
+#: Differences of solves to a tolerance of 1e-6, over the largest pressure and the bound of friction.
 TOLERANCE = 2e-5
 
 pytestmark = [

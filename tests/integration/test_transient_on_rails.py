@@ -1,4 +1,5 @@
-"""Steps of a wheel on its rail that go on from the tractions of the step before, and wheels of flexible wheelsets."""
+"""Tests steps of a wheel on its rail that continue from the tractions of the previous step, and wheels of flexible
+wheelsets."""
 
 from __future__ import annotations
 
@@ -101,7 +102,7 @@ def test_a_wheelset_has_wheels_that_deviate(shared):
     rigid = WheelsetState(velocity=velocity, Fz_left=5e4, Fz_right=5e4)
     lower = WheelsetState(velocity=velocity, Fz_left=5e4, Fz_right=5e4, right_wheel=WheelDeviation(z=0.3))
     one, other = shared.wheelset(COARSE, rigid, fields=[]), shared.wheelset(COARSE, lower, fields=[])
-    # A wheel that hangs lower lifts its end of the axle.
+    # A lower wheel raises its end of the axle.
     assert one.roll == pytest.approx(0, abs=1e-6)
     assert other.roll == pytest.approx(-0.3 / 1500, rel=0.05)
 

@@ -1,4 +1,4 @@
-"""Steps that are tried again: taken back, and solved anew from where they started."""
+"""Tests repeated steps, which restart from the same state."""
 
 import pytest
 
@@ -6,7 +6,7 @@ from contactd import ConnectionFailed, Friction, InvalidArgument, KineticFrictio
 from support.sessions import open_session
 
 FIELDS = ("pressure", "traction_x", "traction_y")
-#: Rises with the slip velocity.
+#: Increases with the slip velocity.
 REFUSED = Friction(mu=0.3, rigid_shift=(0.001, 0), kinetic=KineticFriction(mu=0.4, slip_velocity=1))
 
 

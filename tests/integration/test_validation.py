@@ -1,4 +1,4 @@
-"""`./dev validate` on files of our own: what contactd has printed of them, with a number changed by hand."""
+"""Tests `./dev validate` on files of contactd's own results, with one number changed by hand."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ TIMERS = "|Total                |        1 |       59.0 | 100.0 |       60.0 | 1
 
 @pytest.fixture
 def given(tmp_path, shared):
-    """Two files; of the second case of the first the longitudinal force is printed 1 % off."""
+    """Creates two files; the longitudinal force of the second case of the first one is changed by 1 %."""
     folder = tmp_path / "given" / "examples"
     folder.mkdir(parents=True)
     y = np.linspace(-40, 40, 161)

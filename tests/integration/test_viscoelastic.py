@@ -1,4 +1,5 @@
-"""Bodies of the standard linear solid through a daemon: solves, sessions at several speeds, files, and what is refused."""
+"""Tests bodies of the standard linear solid through a daemon: solves, sessions at several speeds, files, and
+refusals."""
 
 import dataclasses
 

@@ -1,4 +1,4 @@
-"""Wear of surfaces, from a daemon: of contacts, of steps and of wheels on rails."""
+"""Tests wear of surfaces from a daemon: of contacts, of steps and of wheels on rails."""
 
 from __future__ import annotations
 

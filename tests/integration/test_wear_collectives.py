@@ -1,4 +1,5 @@
-"""What collectives do to wheels: pressures that stay, conicity that grows on straight track, results that settle."""
+"""Tests effects of collectives on wheels: bounded pressures, increasing conicity on straight track, converging
+results."""
 
 from __future__ import annotations
 
@@ -21,7 +22,7 @@ SPEED, RADIUS, HALF_BASE, CONICITY = 30e3, 460.0, 750.0, 0.18
 
 
 def straight(count: int, seed: int = 1) -> list[WeightedState]:
-    """Wheelsets that swing about the middle, with a part of the yaw rate that rolling cones have."""
+    """Creates wheelsets that oscillate about the middle, with a fraction of the yaw rate of rolling cones."""
     chance = random.Random(seed)
     found = []
     for _ in range(count):

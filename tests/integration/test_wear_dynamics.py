@@ -1,4 +1,4 @@
-"""The loop of dynamics and wear: who is asked for states, when, and with which profiles."""
+"""Tests the loop of dynamics and wear: the calls for new states, their times, and their profiles."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def test_states_are_asked_for_again_when_the_profile_has_changed(shared, tmp_pat
         np.testing.assert_array_equal(profile, before.points)
         deep = sum(step.depths.max() for step in steps[1:] if step.stage == number - 1)
         assert 0.03 <= deep < 0.03 + 0.011
-    # What was told is kept, and a run that goes on asks nobody again.
+    # Reported states are kept, and a resumed run requests none again.
     asked = len(heard)
     again = list(evolve_with(shared, study(first), dynamics, steps[:3]))
     assert len(heard) == asked

@@ -1,4 +1,5 @@
-"""Profiles that wear, by a daemon: areas are kept, mirrors and halves are what they must be, and runs go on."""
+"""Tests wearing profiles by a daemon: areas are conserved, mirror images and halves are consistent, and runs can be
+resumed."""
 
 from __future__ import annotations
 
@@ -60,7 +61,7 @@ def test_areas_are_kept_and_told_by_groups(shared):
         assert step.depths.max() <= 0.02 * (1 + 1e-9)
         assert (step.depths * np.diff(step.edges)).sum() == pytest.approx(sum(step.groups.values()), rel=1e-12)
         assert step.groups.keys() == {"straight", "curve"}
-    # What T gamma takes off a circumference, by the mean radius.
+    # Returns the area that T gamma removes from a circumference of the mean radius.
     first = steps[1]
     km = first.distance * 1e6 * 6.75e-7 * first.T_gamma_with_spin / (2 * np.pi * 460)
     assert first.area == pytest.approx(km, rel=0.01)
@@ -138,7 +139,7 @@ def test_a_step_tells_what_ended_it(shared, tmp_path):
         write_record(tmp_path / f"{ended}.h5", study, steps)
         assert [step.ended_by for step in read_record(tmp_path / f"{ended}.h5", study)] == ["", ended]
     assert run(shared, replace(STUDY, until=1.0))[-1].ended_by == "until"
-    # Rails that are passed much wear first, and those that are passed little wait for the wheel.
+    # Rails with many passages wear first; rails with few passages wait for the wheel.
     for passages, part in ((1e4, "rail"), (1.0, "wheel")):
         made = run(shared, replace(BOTH, depth=0.001, until=100, passages_per_km=passages), most=2)
         assert made[1].ended_by == f"depth of the {part}" == made[1].rail.ended_by
@@ -170,13 +171,13 @@ def test_a_state_that_cannot_be_solved_is_named(shared):
 
 
 def groove_left(client, smoothing, depth, wavelength=3.0):
-    """What one step in gross sliding leaves of a groove in a tread, of its size before; and q of the step."""
+    """Returns the fraction of a groove in a tread that remains after one step of gross sliding, and q of the step."""
     new = Section.of(client.placed_profiles(WheelRailSetup()).right.wheel, "wheel", 0.1)
     sliding = WheelRailState(velocity=WheelsetVelocity(x=30e3, pitch=-30e3 / 460 * 1.02), Fz=80e3)
     y = new.points[:, 0]
     wave = np.cos(2 * np.pi * y / wavelength)
     found = []
-    for sign in (1, -1):  # half of their difference is what the groove makes
+    for sign in (1, -1):  # half of their difference is the effect of the groove
         grooved = np.stack([y, new.points[:, 1] + sign * 1e-4 * wave], axis=1)
         setup = WheelRailSetup(wheel=ProfilePoints(grooved), dx=0.3, dy=0.15)
         study = WearStudy(
@@ -205,7 +206,8 @@ def test_a_step_without_smoothing_lets_grooves_grow_beyond_the_critical_depth(sh
 
 
 def test_a_cylinder_takes_the_shape_of_the_rail_that_wears_it_in_one_place(shared):
-    """It is worn by (3 A/(4 sqrt(2 R)))^(2/3), A the worn area, R the rail's radius; in steps that do not swing."""
+    """The wear is (3 A/(4 sqrt(2 R)))^(2/3), with the worn area A and the rail's radius R, in steps without
+    oscillations."""
     wheel, rail = ConeProfile(0.0, ends=(-60.0, 60.0)), ArcProfile(300.0)
     setup = WheelRailSetup(
         wheel=wheel, rail=rail, track=Track(rail_origin=(750.0, 0.0), gauge_height=0.0), dx=0.5, dy=0.5,
@@ -232,7 +234,8 @@ def test_wheel_and_rail_wear_together(shared, tmp_path):
     for part in ("wheel", "rail"):
         assert last.of(part).removed == pytest.approx(last.of(part).area, rel=1e-8)
         assert last.of(part).area > 0
-    # A law linear in the energy takes as much off both in a passage, and a wheel passes itself once a revolution.
+    # A law that is linear in the energy removes equal areas of both in a passage, and a wheel has one passage per
+    # revolution.
     first = steps[1]
     assert first.of("rail").area / 50 == pytest.approx(first.of("wheel").area / (1e6 / (2 * np.pi * 460)), rel=0.01)
     pytest.importorskip("h5py")
@@ -258,7 +261,7 @@ def test_what_a_rail_bears_is_told_along_its_section(shared, tmp_path):
     tired = steps[1].fatigue
     size = np.diff(steps[1].edges)[0]
     assert (tired.damages["ours"] > 0).sum() * size > 3
-    # Every row of a patch has all of its damage, so that the sum over y is that of widths.
+    # Every row of a patch has all of its damage, so the sum over y is the sum of widths.
     assert tired.damages["ours"].max() <= steps[1].distance * 1e-7 * 40
     assert np.nanmax(tired.dang_van) > 0 and 0 < np.nanmin(tired.limits) < 5
     assert tired.contacts.shape[1] == 4 and len(tired.contacts) >= 3

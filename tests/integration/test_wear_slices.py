@@ -1,4 +1,4 @@
-"""Depths along rails that vary along the track."""
+"""Tests depths along rails that vary along the track."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def head(z: float) -> ProfilePoints:
     return ProfilePoints(np.stack([y, z + 300 - np.sqrt(300**2 - y**2)], axis=1))
 
 
-#: A nose that rises by 2 mm over 200 mm, and no more after that.
+#: A nose that rises by 2 mm over 200 mm, and is level beyond.
 SLICES = [(x, head(z)) for x, z in ((-500.0, 0.0), (0.0, 0.0), (200.0, -2.0), (700.0, -2.0))]
 SETUP = WheelRailSetup(wheel=ConeProfile(-0.05), rail_slices=SLICES, track=Track(rail_origin=(755, 0)), dx=1.0, dy=1.0)
 
@@ -47,7 +47,7 @@ def test_a_nose_loses_in_each_piece_what_the_states_there_take_off(shared):
     assert (found.depths[2] == 0).all() and found.pmax[2] == 0
     for piece in (0, 1, 3):
         assert found.depths[piece].max() > 0 and found.pmax[piece] > 500
-    # The area of a section in a passage is that of the answer.
+    # The removed area of a section in a passage equals that of the answer.
     setup = SETUP.replace(wear=WearRequest([LAW]))
     area = sum(patch.solution.wear.laws[0].area for patch in shared.wheel_rail(setup, state(400).state, fields=[]).patches)
     assert (found.depths[3] * np.diff(Y)).sum() == pytest.approx(area, rel=1e-6)

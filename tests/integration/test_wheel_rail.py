@@ -1,4 +1,4 @@
-"""wheelrail.solve and wheelrail.geometry: wheels on rails, as a published benchmark has them and as users get them wrong."""
+"""Tests wheelrail.solve and wheelrail.geometry: a published benchmark, and mistakes of users."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ from contactd.wheel_rail import (
 
 RIGHT = WheelRailSetup(side="right")
 COARSE = RIGHT.replace(dx=0.8, dy=0.8)
-#: The Manchester contact benchmark, A-2.2: S1002 on 60E1 at 1/40, 10 kN a wheel, mu 0.3, elements of 0.2 mm.
+#: The Manchester contact benchmark, A-2.2: S1002 on 60E1 at 1/40, 10 kN per wheel, mu 0.3, elements of 0.2 mm.
 MU_FN = 0.3 * 1e4
-#: Of the centred contact (mm): spin at its edge is its largest creepage.
+#: Half-length of the centred contact (mm): the spin at its edge is its largest creepage.
 RADIUS = math.sqrt(1291 * 0.04 / math.pi)
 
 

@@ -1,4 +1,5 @@
-"""Sessions of a wheel on its rail: their steps answer what wheelrail.solve does, and they are sessions as others are."""
+"""Tests sessions of a wheel on its rail: their steps have the answers of wheelrail.solve, and they behave like other
+sessions."""
 
 from __future__ import annotations
 
@@ -39,7 +40,8 @@ from support.daemons import eventually
 from support.sessions import open_session
 
 COARSE = WheelRailSetup(dx=0.8, dy=0.8)
-#: What forces may differ by, of the vertical one: the tolerance of the search for its height, and of the solvers.
+#: Allowed differences of forces over the vertical one: the tolerances of the search for its height, and of the
+#solvers.
 CLOSE = 5e-6
 
 
@@ -51,7 +53,7 @@ def at(y: float, Fz: float | None = 1e4, z: float = 0.0, **more) -> WheelRailSta
 
 def agree(one, other, within: float = CLOSE):
     of_one, of_other = one.forces.track, other.forces.track
-    size = max(1e4, abs(of_other.Fy), abs(of_other.Fz))  # heights that are given may press by more than the usual load
+    size = max(1e4, abs(of_other.Fy), abs(of_other.Fz))  # prescribed heights may cause more than the usual load
     for name in ("Fx", "Fy", "Fz"):
         assert getattr(of_one, name) == pytest.approx(getattr(of_other, name), abs=within * size), name
     assert len(one.patches) == len(other.patches)
@@ -186,7 +188,7 @@ def test_derivatives_and_a_longitudinal_force_come_as_without_a_session(shared, 
 
 
 def content_of(answer):
-    """What does not depend on the clock."""
+    """Returns the values that do not depend on the clock."""
 
     def bare(value):
         if isinstance(value, dict):

@@ -1,4 +1,4 @@
-"""The example of a wheelset as a user runs it, and its contacts by the daemon against linear theory."""
+"""Tests the example of a wheelset as a user runs it, and compares its contacts with linear theory."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from support.wheelset import EXAMPLE, wheelset
 __all__ = ["wheelset"]
 
 LOAD = 54500.0  # of a wheel (N)
-#: Cones of 1/20 on arcs of 300 mm, 750 mm from the middle. Friction that knows no bound makes fastsim linear theory.
+#: Cones of 1/20 on arcs of 300 mm, 750 mm from the middle. Without a bound of friction, fastsim is linear theory.
 CONES = WheelRailSetup(
     wheel=ConeProfile(-0.05),
     rail=ArcProfile(300, slope=-0.05),
@@ -39,7 +39,8 @@ def run(endpoint, *options, path=()):
 
 
 def linear_theory(wheelset, client, rest):
-    """Of cones on arcs: Kalker's forces by the derivatives at no creepage, Hertz's stiffness by a difference."""
+    """Returns the forces of cones on arcs: Kalker's forces by the derivatives at zero creepage, Hertz's stiffness by a
+    difference."""
     ellipse = {
         "model": "fastsim", "grid": Grid.centred(60, 60, 20, 20), "upper": Material(G=82000, nu=0.28),
         "gap": Paraboloid(Rx=460, Ry=300), "friction": Friction(1000.0, rolling=Rolling()),
@@ -66,7 +67,8 @@ def test_cones_on_arcs_agree_with_linear_theory(wheelset, shared):
             moved = [contact(straight._replace(**{field: getattr(straight, field) + s})) for s in (-step, step)]
             answers.append([(np.array(after) - before) for before, after in zip(*moved)])
         (force, moment), (expected_force, expected_moment) = answers
-        # Of y and roll the lateral force is what two larger ones leave: that of spin, and that of the plane's angle.
+        # The lateral force due to y and roll is the difference of two larger ones: that of spin, and that of the
+        # plane's angle.
         assert force == pytest.approx(expected_force, abs=0.06 * np.abs(expected_force).max()), field
         largest = max(np.abs(expected_moment).max(), 1.0 * np.abs(expected_force).max())  # an arm of a millimetre
         assert moment == pytest.approx(expected_moment, abs=0.06 * largest), field

@@ -1,4 +1,4 @@
-"""wheelrail.wheelset: both wheels of a wheelset that is free to roll."""
+"""Tests wheelrail.wheelset: both wheels of a wheelset that is free to roll."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def rolling(y=0.0, yaw=0.0, pitch=-4.3481181, Fz=(1e4, 1e4), **more: Any) -> Whe
 
 
 def test_a_wheelset_has_the_roll_of_the_benchmark(shared):
-    """The Manchester contact benchmark, A-2.2, case 13."""
+    """Uses the Manchester contact benchmark, A-2.2, case 13."""
     solution = shared.wheelset(SETUP, rolling(6, 0.0144, -4.3293718), fields=[])
     assert solution.converged
     assert solution.warnings == ()

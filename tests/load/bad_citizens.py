@@ -1,4 +1,4 @@
-"""Clients that behave badly while others work: each a function that runs until its time is over."""
+"""Runs clients that behave badly while others work; each function runs until its time is over."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ SOLVE, MEDIUM, HEALTH = KINDS[0], KINDS[2], KINDS[-1]
 
 
 def never_reads(endpoint: str, end: float) -> int:
-    """Sends solves with large answers, unhurried, and takes none of the answers."""
+    """Sends solves with large answers at a moderate rate, and reads none of the answers."""
     sent = 0
     with zmq.Context() as context, context.socket(zmq.DEALER) as dealer:
         dealer.linger = 0
@@ -29,7 +29,7 @@ def never_reads(endpoint: str, end: float) -> int:
 
 
 def sends_forever(endpoint: str, end: float) -> int:
-    """As fast as the socket takes them, and reads nothing."""
+    """Sends as fast as the socket allows, and reads nothing."""
     sent = 0
     with zmq.Context() as context, context.socket(zmq.DEALER) as dealer:
         dealer.linger = 0
@@ -45,7 +45,7 @@ def sends_forever(endpoint: str, end: float) -> int:
 
 
 def disconnects(endpoint: str, end: float) -> int:
-    """Connects, asks for a solve and goes; and goes in the middle of a message."""
+    """Connects, requests a solve and disconnects; then disconnects in the middle of a message."""
     sent = 0
     while time.monotonic() < end:
         with zmq.Context() as context, context.socket(zmq.DEALER) as dealer:
@@ -68,7 +68,7 @@ def _half_a_greeting(endpoint: str) -> None:
             raw.connect(where)
             raw.sendall(b"\xff\0\0\0\0\0\0\0\1\x7f\3")
         except OSError:
-            pass  # the daemon may be short of descriptors; that is its affair
+            pass  # the daemon may lack descriptors, which is not checked here
 
 
 BAD_CITIZENS: list[Callable[[str, float], int]] = [never_reads, sends_forever, disconnects]

@@ -1,4 +1,4 @@
-"""Many clients in one process: each sends a request, waits for its answer, checks it, and sends the next."""
+"""Runs many clients in one process: each sends a request, waits for its answer, checks it, and sends the next."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ TIMEOUT = 60.0  # seconds for one answer
 
 @dataclass
 class Tally:
-    """What clients saw. Latencies in milliseconds, by phase and kind."""
+    """Holds the results of clients. Latencies are in milliseconds, by phase and kind."""
 
     sent: int = 0
     answered: int = 0
-    refused: int = 0  # with a delay to try again
+    refused: int = 0  # with a delay for the next attempt
     problems: list[str] = field(default_factory=list)
     latencies: dict[str, dict[str, list[float]]] = field(default_factory=dict)
 
@@ -33,7 +33,7 @@ class Tally:
 
 @dataclass
 class Client:
-    """One DEALER with at most one request on its way."""
+    """Represents one DEALER with at most one open request."""
 
     socket: zmq.Socket[bytes]
     name: str
@@ -42,7 +42,7 @@ class Client:
     kind: int = 0
     factor: float = 1.0
     since: float = 0.0
-    resume: float = 0.0  # not before this time, after a refusal
+    resume: float = 0.0  # earliest time of the next request, after a refusal
 
     def ask(self, choose: random.Random, tally: Tally) -> None:
         self.count += 1
@@ -75,7 +75,7 @@ class Client:
 
 
 def references(socket: zmq.Socket[bytes]) -> list[list[float]]:
-    """The answers of every kind to the factor 1, by one client alone."""
+    """Returns the answers of every kind to the factor 1, computed by a single client."""
     found = []
     for kind in KINDS:
         socket.send_multipart(request(kind, "reference", 1.0))
@@ -93,7 +93,8 @@ def references(socket: zmq.Socket[bytes]) -> list[list[float]]:
 
 
 def run(endpoint: str, name: str, number: int, seed: int, references_: list[Any], phases: list[tuple[str, float]]) -> Tally:
-    """`number` clients until the last phase ends; `phases` are names and ends (time.monotonic, the same in every process)."""
+    """Runs `number` clients until the last phase ends; `phases` are names and ends (time.monotonic, the same in every
+    process)."""
     tally = Tally()
     choose = random.Random(seed)
     with zmq.Context() as context:
@@ -123,7 +124,7 @@ def _receive(poller: zmq.Poller, clients: Any, references_: Any, phase: str, tal
 
 
 def _finish(poller: zmq.Poller, clients: Any, references_: Any, tally: Tally) -> None:
-    """Waits for what is on its way, then asks for the health, whose answer must be the only one to come."""
+    """Waits for open requests, then requests the health, whose answer must be the only one to arrive."""
     deadline = time.monotonic() + TIMEOUT
     while any(client.waiting for client in clients.values()) and time.monotonic() < deadline:
         _receive(poller, clients, references_, "end", tally, 100)

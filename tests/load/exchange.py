@@ -1,4 +1,5 @@
-"""How random messages are sent and their answers taken: exactly one status for each, with its id, and no defect shows."""
+"""Sends random messages and receives their answers: exactly one status for each, with its id, and no sign of a
+defect."""
 
 from __future__ import annotations
 
@@ -19,7 +20,7 @@ TIMEOUT_MS = 60_000
 
 
 class Wrong(AssertionError):
-    """What a message did that it must not; names the message."""
+    """Reports a violation by a message, and names the message."""
 
 
 @dataclass
@@ -38,26 +39,26 @@ def connected(daemon: LocalDaemon, kind: int) -> Iterator[zmq.Socket[bytes]]:
 
 
 def reply(socket: zmq.Socket[bytes], about: object) -> dict[str, Any]:
-    """The next reply; progress is passed over."""
+    """Returns the next reply; progress is ignored."""
     while True:
         if not socket.poll(TIMEOUT_MS):
             raise Wrong(f"no answer within {TIMEOUT_MS / 1000:g} s to {about}")
         parts = socket.recv_multipart()
-        # A DEALER whose envelope was empty, with frames behind it, looks like a REQ and is answered like one.
+        # A DEALER whose envelope was empty, with frames after it, looks like a REQ and is answered like one.
         envelope = json.loads(parts[0] or parts[1])
         if "progress" not in envelope:
             return envelope
 
 
 def finite(number: str) -> float:
-    """Refuses what no double holds, as the daemon does; NaN and Infinity, too."""
+    """Refuses numbers beyond a double, like the daemon, including NaN and Infinity."""
     if not math.isfinite(value := float(number)):
         raise ValueError(number)
     return value
 
 
 def readable_id(message: Message) -> str | None:
-    """The id that every JSON parser would find; None where they may differ."""
+    """Returns the id that every JSON parser would find, or None if they may differ."""
     try:
         envelope = json.loads(message.text.decode(), parse_float=finite, parse_int=finite, parse_constant=finite)
     except (ValueError, RecursionError):
@@ -78,7 +79,8 @@ def take(envelope: dict[str, Any], outcome: Outcome) -> str | None:
 
 
 def by_dealer(socket: zmq.Socket[bytes], batch: list[Message], outcome: Outcome) -> None:
-    """All at once; as many replies as messages, and every readable id as often as it was sent."""
+    """Sends all at once; there must be as many replies as messages, and every readable id must occur as often as it
+    was sent."""
     for message in batch:
         socket.send_multipart([message.text, *message.frames])
     names = [readable_id(message) for message in batch]
@@ -86,7 +88,7 @@ def by_dealer(socket: zmq.Socket[bytes], batch: list[Message], outcome: Outcome)
     for _ in batch:
         missing = [str(message) for name, message in zip(names, batch, strict=True) if not ids[name]]
         ids[take(reply(socket, "\n".join(missing)), outcome)] += 1
-    sent = collections.Counter(names)  # damage may give two messages the same
+    sent = collections.Counter(names)  # damage may make two messages equal
     for name, message in zip(names, batch, strict=True):
         if name is not None and ids[name] != sent[name]:
             raise Wrong(f"{ids[name]} replies to {message}")
@@ -100,7 +102,8 @@ def by_req(socket: zmq.Socket[bytes], message: Message, outcome: Outcome) -> Non
 
 
 def expect_silence(socket: zmq.Socket[bytes]) -> None:
-    """Messages of one client are answered in any order, but health asked last shows that nothing else is on its way."""
+    """Messages of one client are answered in any order, but a health request at the end shows that no others are
+    open."""
     socket.send(json.dumps({"contactd": 1, "id": "last", "method": "server.health"}).encode())
     if (name := reply(socket, "server.health")["id"]) != "last":
         raise Wrong(f"a second reply to {name!r}")
@@ -114,6 +117,6 @@ def describe(socket: zmq.Socket[bytes]) -> dict[str, Any]:
 
 
 def open_session(socket: zmq.Socket[bytes]) -> str:
-    """Its name; empty where the daemon has no room for it."""
+    """Returns its name; empty if the daemon has no room for it."""
     socket.send(json.dumps({"contactd": 1, "id": "s", "method": "session.open", "params": SESSION}).encode())
     return str(reply(socket, "session.open").get("result", {"session": ""})["session"])

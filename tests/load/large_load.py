@@ -1,5 +1,5 @@
-"""Random messages with large grids from several clients at once. Three things hold meanwhile, and are printed: each message
-has one answer, the daemon's memory stays within the bound of docs/limits.md, and health is answered soon."""
+"""Sends random messages with large grids from several clients at once, and checks and prints three properties: each
+message has one answer, the daemon's memory stays within the bound of docs/limits.md, and health is answered soon."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from load.watch import Watched, watching
 
 GIB, MIB = 1 << 30, 1 << 20
 MAX_GRID_ELEMENTS = 1_000_000
-#: Messages are small beside work here, so that the bound is one of work.
+#: Messages are small compared with work here, so that the bound is one of work.
 CONFIG: dict[str, Any] = {
     "limits": {"max_work_bytes": 3 * GIB, "max_queue_bytes": 128 * MIB, "max_inbox_bytes": 128 * MIB,
                "max_outbox_bytes": 128 * MIB, "max_message_bytes": 128 * MIB, "max_frame_bytes": 64 * MIB},
@@ -27,14 +27,14 @@ CONFIG: dict[str, Any] = {
     "sessions": {"max_sessions": 4096, "lease_seconds": 5, "max_lease_seconds": 10, "max_bytes": 256 * MIB},
     "builds": {"program": "/bin/false"}, "log": {"level": "warn"},
 }  # fmt: skip
-#: Beside its work a daemon has its program, its threads and what the allocator keeps of their arenas.
+#: In addition to its work, a daemon has its program, its threads and arenas of the allocator.
 BESIDE = 100 * MIB
 CLIENTS, BATCH = 3, 8
 SOON_MS, IN_TIME = 50, 0.999
 
 
 def within(times: list[float]) -> float:
-    """The time that no more than one in a thousand exceeds."""
+    """Returns the time that at most one in a thousand exceeds."""
     return sorted(times)[math.ceil(IN_TIME * len(times)) - 1]
 
 
@@ -61,7 +61,8 @@ class Report:
         ]
 
     def problems(self, own: bool = False) -> list[str]:
-        """What does not hold; `own`: times in which threads waited for a processor do not count, as on a busy machine."""
+        """Returns violations; `own`: times in which threads waited for a processor do not count, as on a busy
+        machine."""
         found = []
         if self.watched.most > self.bound:
             found.append(f"the daemon took {self.watched.most} bytes of memory, and its bound is {self.bound}")
@@ -72,14 +73,15 @@ class Report:
 
 
 def bound(config: dict[str, Any], watched: Watched) -> int:
-    """What a daemon of this configuration may take: its work, messages on their ways, and what it says that it keeps."""
+    """Returns the memory limit of a daemon with this configuration: its work, open messages, and the data that it
+    reports."""
     limits = config["limits"]
     messages = limits["max_queue_bytes"] + limits["max_inbox_bytes"] + limits["max_outbox_bytes"]
     return int(limits["max_work_bytes"] + messages + watched.kept + BESIDE)
 
 
 def client(daemon: LocalDaemon, messages: LargeMessages, until: float, least: int, stop: threading.Event, report: Report) -> None:
-    """Sends batches until the time is over and `least` messages were sent; no second answers come behind them."""
+    """Sends batches until the time is over and `least` messages were sent; no second answers may follow."""
     sent = 0
     with connected(daemon, zmq.DEALER) as dealer:
         while (time.monotonic() < until or sent < least) and not stop.is_set():
@@ -94,7 +96,8 @@ def client(daemon: LocalDaemon, messages: LargeMessages, until: float, least: in
 
 
 def run(daemon: LocalDaemon, seconds: float, seed: int, at_least: int = 0) -> Report:
-    """For so long, and so many messages at least. Raises Wrong for a message that is not answered as it must be; Report.problems has what else does not hold."""
+    """Runs for this time, with at least this number of messages. Raises Wrong for a message with a wrong answer;
+    Report.problems contains other violations."""
     with connected(daemon, zmq.DEALER) as dealer:
         document = describe(dealer)
     examples = templates(str(daemon.process.args[0]))  # type: ignore[index]

@@ -63,7 +63,7 @@ TEST_CASE("The accuracy asked for is met on a half-space", "[fem][accuracy]") {
     CHECK_FALSE(record.evidence.errors_estimated);
 }
 
-// This is slow: it builds tables of accuracy 1e-4.
+// Slow: it builds tables of accuracy 1e-4.
 TEST_CASE("Four digits are reached", "[fem][accuracy][slow]") {
     IcSpec spec = accurate_spec(1e-4, 0.28, 1, 12);
     spec.load_shape = GENERATE(LoadShape::constant, LoadShape::bilinear);
@@ -75,7 +75,7 @@ TEST_CASE("A larger extent changes the coefficients by less than the accuracy's 
     CHECK(difference(small, cropped(build(large).table(), 8, 8), build(small).table()) < 1e-4);
 }
 
-// This is slow: it compares each table with graded finite elements of the whole displacement.
+// Slow: it compares each table with graded finite elements of the whole displacement.
 TEST_CASE("The accuracy asked for is met by a block", "[fem][accuracy][slow]") {
     IcSpec spec = accurate_spec(1e-2, GENERATE(0.28, 0.42), 1, 8);
     spec.body = BodyShape::block;

@@ -132,7 +132,7 @@ TEST_CASE("a block of one element has no modelling error", "[block]") {
     CHECK(stated(block_spec(1, 1, 1, 0.28, 20)) < 1e-9);
 }
 
-// This is slow, because of factorisations in three dimensions.
+// Slow: it uses factorisations in three dimensions.
 TEST_CASE("a load beside the middle of a block does what finite elements of another make say", "[block][slow]") {
     constexpr double L = 12, nu = 0.28;
     constexpr int ny = 5;

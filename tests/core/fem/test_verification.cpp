@@ -54,7 +54,7 @@ TEST_CASE("TEST 3 with quadratic elements meets the reference", "[fem][verificat
     CHECK_THAT(evidence.errors.xx.value().largest, WithinRel(row.xx_largest, agreement));
 }
 
-// This is slow: it uses five blocks of up to 156405 unknowns.
+// Slow: it uses five blocks of up to 156405 unknowns.
 TEST_CASE("The other tests meet the reference at L = 512", "[fem][verification][slow]") {
     const Origin row =
         GENERATE(Origin{"paper-test1", 2, 6100, 156405, -1.486e-3}, Origin{"paper-test2", 2, 880, 24321, -1.897e-3},
@@ -69,7 +69,7 @@ TEST_CASE("The other tests meet the reference at L = 512", "[fem][verification][
     CHECK_THAT(evidence.errors.zz.value().origin, WithinRel(row.zz, agreement));
 }
 
-// This is slow: it uses a block of the paper's finest mesh, with 160 x 160 coefficients.
+// Slow: it uses a block of the paper's finest mesh, with 160 x 160 coefficients.
 TEST_CASE("A block 68000 elements large can be solved", "[fem][verification][slow]") {
     IcSpec spec = paper_spec("paper-test3", 1024);
     spec.dx = spec.dy = 0.015;

@@ -25,7 +25,7 @@ IcEvidence build(const IcSpec& spec) {
 
 }  // namespace
 
-// This is slow: it uses meshes of prisms with up to 131811 unknowns.
+// Slow: it uses meshes of prisms with up to 131811 unknowns.
 TEST_CASE("Prisms meet the reference with diagonals that run outward", "[fem][prism][verification][slow]") {
     struct Row {
         const char* preset;
@@ -49,7 +49,7 @@ TEST_CASE("The error of prisms depends on the direction of the diagonals", "[fem
     CHECK_THAT(build(spec).errors.zz.value().origin, WithinRel(-2.0e-3, 0.02));
 }
 
-// This takes long: it uses four blocks on fine meshes of prisms.
+// Long: it uses four blocks on fine meshes of prisms.
 TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism][verification][long]") {
     const auto [preset, L_over_h] = GENERATE(std::pair{"paper-mesh2-test1", 40}, std::pair{"paper-mesh2-test2", 40},
                                              std::pair{"paper-mesh2-test3", 40}, std::pair{"paper-mesh2-test2", 640});
@@ -60,7 +60,7 @@ TEST_CASE("Every test on prisms reaches the target at the origin", "[fem][prism]
     CHECK(std::abs(evidence.errors.yy.value().origin) < target);
 }
 
-// This takes long: it compares factorisation and iterations.
+// Long: it compares factorisation and iterations.
 TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][verification][long]") {
     // If ill-conditioned matrices caused the plateau of Mesh2, as the paper states, they would not agree.
     IcSpec spec = paper_spec("paper-mesh2-test2", 512);
@@ -75,7 +75,7 @@ TEST_CASE("Both solvers find the same coefficients on prisms", "[fem][prism][ver
             CHECK_THAT(iterated(i, j, 1, 2), WithinAbs(direct(i, j, 1, 2), 1e-6 * scale));
 }
 
-// This is slow: it uses two blocks on fine meshes of prisms.
+// Slow: it uses two blocks on fine meshes of prisms.
 TEST_CASE("Far data free prisms from the size of the block", "[fem][prism][verification][slow]") {
     IcSpec spec = paper_spec("paper-mesh2-test2", 8);
     spec.fem.far_boundary = FarBoundary::half_space;
@@ -87,7 +87,7 @@ TEST_CASE("Far data free prisms from the size of the block", "[fem][prism][verif
     CHECK_THAT(small.errors.zz.value().origin, WithinAbs(build(spec).errors.zz.value().origin, 2e-4));
 }
 
-// This is slow: it uses up to cubic elements.
+// Slow: it uses up to cubic elements.
 TEST_CASE("The error of prisms falls with their order", "[fem][prism][verification][slow]") {
     const auto [order, largest] = GENERATE(std::pair{1, 0.1}, std::pair{2, 7e-3}, std::pair{3, 7e-4});
     CAPTURE(order);
@@ -101,7 +101,7 @@ TEST_CASE("The error of prisms falls with their order", "[fem][prism][verificati
     }
 }
 
-// This takes long: it uses a factorised block, and contact on 160 x 160 elements.
+// Long: it uses a factorised block, and contact on 160 x 160 elements.
 TEST_CASE("The Cattaneo problem with coefficients on prisms is within the paper's errors",
           "[fem][prism][verification][long]") {
     const ContactProblem problem = test::cattaneo_problem(160);

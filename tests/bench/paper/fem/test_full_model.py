@@ -70,7 +70,7 @@ def test_the_load_of_a_face_is_its_area():
     u = displacements(whole, matrix, "z", {})
     clamped = np.abs(whole.vertices).max(axis=1) == 2
     clamped |= whole.vertices[:, 2] == -2
-    assert (matrix @ u.ravel()).reshape(-1, 3)[clamped, 2].sum() == pytest.approx(-4)  # 2 x 2, carried by the far faces
+    assert (matrix @ u.ravel()).reshape(-1, 3)[clamped, 2].sum() == pytest.approx(-4)  # 2 x 2 on the far faces
 
 
 def table_of_the_whole(mesh):

@@ -64,7 +64,7 @@ TEST_CASE("Slabs of any Poisson's ratio up to 0.499 are exact layers within thei
     check_slabs(1e-2);
 }
 
-// This is slow, because of fine meshes of thin slabs at all wavenumbers.
+// Slow: it uses fine meshes of thin slabs at all wavenumbers.
 TEST_CASE("A slab that is thin beside its strips errs by no more of its own compliance", "[section][slow]") {
     const double thickness = GENERATE(0.05, 0.2), nu = 0.28;
     Observer observer;
@@ -74,7 +74,7 @@ TEST_CASE("A slab that is thin beside its strips errs by no more of its own comp
         CHECK(difference_to_layer(build.spectrum, thickness, nu, dx) <= build.errors.total());
 }
 
-// This is slow, because of fine meshes at all wavenumbers.
+// Slow: it uses fine meshes at all wavenumbers.
 TEST_CASE("So are slabs to a thousandth", "[section][slow]") {
     check_slabs(1e-3);
 }

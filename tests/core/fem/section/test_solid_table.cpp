@@ -97,7 +97,7 @@ TEST_CASE("Strips that are not level are refused in three dimensions", "[section
     CHECK_THROWS_AS(mesh_of(groove(6, 20, 20, 5), 0), InvalidArgument);
 }
 
-// This is slow, because it uses finite elements in three dimensions.
+// Slow: it uses finite elements in three dimensions.
 TEST_CASE("Three dimensions and the transform agree on a block with an edge", "[section][slow]") {
     Observer observer;
     const SectionOutline outline = small_edge();

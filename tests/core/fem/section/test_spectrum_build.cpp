@@ -110,13 +110,13 @@ TEST_CASE("Tables of sections meet the reference within the error they state", "
     check_layers(1e-2);
 }
 
-// This is slow: it uses meshes of accuracy 1e-3 for each outline.
+// Slow: it uses meshes of accuracy 1e-3 for each outline.
 TEST_CASE("So do finer tables", "[section][slow]") {
     check_references(1e-3);
     check_layers(1e-3);
 }
 
-// This takes long: it uses meshes of accuracy 1e-4.
+// Long: it uses meshes of accuracy 1e-4.
 TEST_CASE("So do the finest tables", "[section][long]") {
     check_references(1e-4);
     check_layers(1e-4);
