@@ -26,7 +26,7 @@ COMMAND = [sys.executable, "-m", "contactctl", "--local", "study", "--workers", 
 
 def part_of(rows: int) -> str:
     """Returns the study with enough values of friction and creepage for at least `rows` rows."""
-    ellipses, creepages = 10, 100  # of the ellipses and spin, and of xi
+    ellipses, creepages = 10, 100  # numbers of ellipses with spin, and of values of xi
     count = max(1, round(rows / ellipses / creepages))
     lines = []
     for line in STUDY.read_text().splitlines():

@@ -42,7 +42,7 @@ def parts_of(section: Section, text: str | None) -> list[str]:
     names = [name.strip() for name in text.split(",")]
     for name in names:
         if name not in section.parts:
-            raise ValueError(f"'{name}' is no part of {section.name}; there are {', '.join(section.parts)}")
+            raise ValueError(f"'{name}' is not a part of {section.name}; the parts are {', '.join(section.parts)}")
     return names
 
 

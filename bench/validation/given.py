@@ -64,7 +64,7 @@ def given_files(folder: Path) -> list[GivenFile]:
             "give their folder by --cases"
         ) from None
     except (ValueError, KeyError, TypeError):
-        raise FilesMissing(f"{folder / LIST} is no list of cases") from None
+        raise FilesMissing(f"{folder / LIST} is not a list of cases") from None
     files = [
         GivenFile(one["file"], folder / one["file"], folder / one["reference"]) for one in listed if one["reference"]
     ]

@@ -19,7 +19,7 @@
 namespace contactd::cases {
 namespace {
 
-constexpr double joule = 1e-3;  // of N mm, and W of N mm/s
+constexpr double joule = 1e-3;  // N mm per J, and N mm/s per W
 
 std::vector<double> or_zeros(std::vector<double> values, std::size_t count) {
     if (values.empty()) values.resize(count);

@@ -11,7 +11,7 @@
 namespace contactd::cases {
 namespace {
 
-constexpr double step_size = 1e-4;  // of differences, relative to the scale of an input
+constexpr double step_size = 1e-4;  // step of differences, relative to the scale of an input
 constexpr int inputs = 4;           // the approach, and the motion along x, along y and about z
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 

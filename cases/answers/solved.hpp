@@ -16,7 +16,7 @@ using Sensitivities = std::array<std::array<double, 4>, 4>;
 struct Solved {
     ContactProblem problem;
     ContactSolution solution;
-    PlasticSlip plastic_before{}, plastic{};       ///< of a layer that yields, at the start and end of the step
+    PlasticSlip plastic_before{}, plastic{};       ///< for a layer that yields, at the start and end of the step
     std::optional<Sensitivities> sensitivities{};  ///< if requested
     /// The name of a feature of a patch on a rail that its contact problem lacks, so that it cannot be solved again.
     const char* beyond = nullptr;

@@ -73,7 +73,7 @@ struct RelativeForce {
 /// Friction as it was given, in mm and s, and as a law of core.
 struct GivenFriction {
     int method = 0;  ///< the law, plus 10 for friction by the rail's angle, 20 for friction along the track, or
-                     ///< 30 for friction by rows of elements
+                     ///< 30 means friction by rows of elements
     std::vector<double> parameters;
     FrictionLaw law;
     /// Holds the law at an angle (rad), for friction that varies with the rail's angle; in ascending order.
@@ -120,7 +120,7 @@ struct Given {
     bool one_outer_iteration = false;  ///< for dissimilar bodies
     bool starts_in_slip = false;       ///< whether falling friction starts from full slip
     std::optional<MaterialPair> materials;
-    std::optional<std::array<Viscoelasticity, 2>> creep;  ///< of the upper and lower body
+    std::optional<std::array<Viscoelasticity, 2>> creep;  ///< values of the upper and the lower body
     SlopeReduction slope;                                 ///< for the simplified theory
     std::optional<GivenFriction> friction;
     std::optional<InterfacialLayer> layer;  ///< between the bodies

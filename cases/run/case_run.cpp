@@ -320,7 +320,7 @@ std::optional<ContactFileProblem> CaseRun::convert_next(ProblemSolver& solver, c
 }
 
 std::size_t CaseRun::bytes() const {
-    constexpr std::size_t bytes_of_element = 500;  // of the last problem, its solution and the tractions of a step
+    constexpr std::size_t bytes_of_element = 500;  // for the last problem, its solution and the tractions of a step
     std::size_t sum = 3 * input_.text.size() + file_bytes_;
     for (const auto& [key, history] : histories_)
         sum += bytes_of_element * (history.solved ? history.solved->problem.grid.size() : history.rail.elements());

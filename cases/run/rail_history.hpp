@@ -19,7 +19,7 @@ class RailHistory {
     WheelRailSolution solve(const Given& given, Model model, const WheelRailState& state,
                             const std::function<WheelRailSolution(WheelRailEstimates&)>& solve);
 
-    std::size_t elements() const;  ///< of the patches at the end of the last step
+    std::size_t elements() const;  ///< number in all patches at the end of the last step
 
    private:
     /// Estimates contain the tractions of all patches, so they are not copied. Null: there are none.

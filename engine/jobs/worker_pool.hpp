@@ -85,7 +85,7 @@ class WorkerPool {
     Waiting take_next();
 
     const std::size_t most_;  // threads
-    const int most_large_;    // of large tasks at a time
+    const int most_large_;    // number of large tasks at a time
     const std::chrono::microseconds spin_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;

@@ -49,7 +49,7 @@ class ContactSteps {
     void fit_influence(InfluenceCache& cache, const Observer& observer);
 
     const IcAnswers ics_;
-    ContactProblem problem_;  // of the step that runs
+    ContactProblem problem_;  // problem of the running step
     CachedInfluence influence_;
     std::array<double, 3> rolling_step_;  // that influence_ is for
 };

@@ -27,7 +27,7 @@ class WheelRailSteps {
    private:
     const PreparedContacts::Contact opened_;
     const bool accept_unconverged_;
-    std::optional<WheelRailContact> other_friction_{};  // of the last step that named one
+    std::optional<WheelRailContact> other_friction_{};  // contact of the last step that named a friction
 };
 
 }  // namespace contactd::engine

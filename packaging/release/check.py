@@ -25,7 +25,7 @@ def problems(folder: Path, signers: Path, name: str = NAMESPACE) -> list[str]:
     if not folder.is_dir():
         return [f"{folder} is not a folder"]
     if not signers.is_file():
-        return [f"{signers} is not a file; it must be one of signers, with a line such as: {name} ssh-ed25519 AAAA..."]
+        return [f"{signers} is not a file; it must list signers, with lines such as: {name} ssh-ed25519 AAAA..."]
     if shutil.which("ssh-keygen") is None:
         return ["ssh-keygen, which checks signatures, is missing; install the client of OpenSSH"]
     for file in (sums, signature):
@@ -34,7 +34,7 @@ def problems(folder: Path, signers: Path, name: str = NAMESPACE) -> list[str]:
     command = ["ssh-keygen", "-Y", "verify", "-f", str(signers), "-I", name, "-n", NAMESPACE, "-s", str(signature)]
     verified = subprocess.run(command, input=sums.read_bytes(), capture_output=True, check=False)
     if verified.returncode != 0:
-        return [f"{SIGNATURE} is no signature of {name} for this {SUMS}"]
+        return [f"{SIGNATURE} is not a signature of {name} for this {SUMS}"]
     listed = dict(reversed(line.split("  ", 1)) for line in sums.read_text().splitlines())
     found = {path.relative_to(folder).as_posix() for path in folder.rglob("*") if path.is_file()} - {SUMS, SIGNATURE}
     wrong = [f"{file} is not listed in {SUMS}" for file in sorted(found - listed.keys())]

@@ -53,7 +53,7 @@ def differing() -> list[str]:
 def write(new: str) -> None:
     """Writes the version to all places."""
     if not re.fullmatch(r"\d+\.\d+\.\d+", new):
-        raise ValueError(f"{new} is no version; it must be three numbers with dots between")
+        raise ValueError(f"{new} is not a version; it must be three numbers separated by dots")
 
     def put(text: str, pattern: str, value: str) -> str:
         return re.sub(pattern, lambda found: found[0].replace(found[1], value), text, count=1, flags=re.MULTILINE)

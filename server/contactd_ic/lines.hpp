@@ -14,7 +14,7 @@ struct Complaint {
     std::string field;      ///< field of the specification; empty for other errors
     std::string message;    ///< a whole sentence
     std::string kind{};     ///< "out_of_memory", "invalid_argument", or empty for all else
-    std::string problem{};  ///< of an invalid argument: the message without the field
+    std::string problem{};  ///< for an invalid argument: the message without the field
 };
 
 /// {"error": {"field", "message", "kind", "problem"}}; empty members are omitted, except for field and message.

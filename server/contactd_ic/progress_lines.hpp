@@ -36,7 +36,7 @@ class ProgressLines : public Observer {
     std::optional<double> memory_bytes_;
     mutable std::mutex mutex_;
     Progress last_;
-    std::string stage_;  ///< of last_, which points to it
+    std::string stage_;  ///< text of last_, which points to it
     const Clock::time_point begin_ = Clock::now();
     Clock::time_point reported_ = begin_, next_{};
     double processor_seconds_;  ///< when last_ was reported

@@ -10,7 +10,7 @@ from .problem import AREA, FX, FZ, PMAX, WINDOW
 
 REFERENCES = {"Fz": FZ, "pmax": PMAX, "area": AREA, "Fx": FX}
 _COUNTS = ["adhesion", "slip", "iterations_normal", "iterations_tangential"]
-_TABLE = ["dofs", "origin_zz"]  # of the table; 0 in closed form
+_TABLE = ["dofs", "origin_zz"]  # columns of the table; 0 in closed form
 COLUMNS = [
     "curve", "parameter", "value", "n", "L", "L_over_h",
     *REFERENCES, *(f"error_{name}" for name in REFERENCES), *_COUNTS, *_TABLE,

@@ -24,7 +24,7 @@ from .persson import Cylinders
 from .propagation import Propagation
 
 STEEL = Material(G=82000, nu=0.28)
-SIZE = 0.5  # of strips and elements of a table (mm)
+SIZE = 0.5  # size of strips and elements of a table (mm)
 OFFSETS = 60  # of the compared tables
 COMPONENTS = [i + j for i in "xyz" for j in "xyz"]
 BLOCK = {"edge_block": {"width": 100, "height": 50}}

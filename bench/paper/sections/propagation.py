@@ -24,8 +24,8 @@ PROGRAM = "section_strips"
 #: Orders of elements, and edges per strip; the paper's are 2 and 4.
 MESHES = [(order, edges) for order in (1, 2) for edges in (1, 2, 4, 8) if order * edges > 1]
 FINEST = (5, 4)
-HALF_ANGLE = np.radians(60)  # of contact in the hole
-HALF_WIDTH = 60.3  # of contact on the flat surface, in strips; the same number
+HALF_ANGLE = np.radians(60)  # half-angle of contact in the hole
+HALF_WIDTH = 60.3  # half-width of contact on the flat surface, in the same number of strips
 
 
 def gap_of(body: str, angles: Array) -> Array:

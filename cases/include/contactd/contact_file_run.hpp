@@ -19,7 +19,7 @@ namespace contactd {
 
 /// Holds a file that cases name: a profile, a list of slices, or influence coefficients.
 struct NamedFile {
-    std::string name;       ///< as in the cases, with '/' between folders; profiles of a list of slices lie beside it
+    std::string name;       ///< name in the cases, with '/' between folders; profiles of a list of slices lie beside it
     std::string text{};     ///< its content
     std::string failure{};  ///< the reason if it could not be read, for the sentence of the cases that need it
 };
@@ -68,7 +68,7 @@ struct ContactFilePatch {
 
 struct ContactFileOutcome {
     int number = 0;        ///< as printed by CONTACT
-    std::size_t line = 0;  ///< of its first control word
+    std::size_t line = 0;  ///< line of its first control word
     int module_number = 0;
     std::optional<int> reid{}, cpid{};
     ContactFileStatus status = ContactFileStatus::solved;
@@ -79,7 +79,7 @@ struct ContactFileOutcome {
     /// FX(WS), FY(WS), FZ(WS), and Z_WS and VPITCH_WS if they were searched for.
     ByName<double> numbers;
     std::variant<std::monostate, SolveReply, WheelRailSolution> solution;
-    std::vector<ContactFilePatch> patches;  ///< of module 1 from the field side to the gauge side
+    std::vector<ContactFilePatch> patches;  ///< for module 1, from the field side to the gauge side
 
     bool is_solved() const { return solution.index() != 0; }
 };

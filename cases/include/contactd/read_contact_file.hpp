@@ -31,8 +31,8 @@ using ContactBlocks = std::vector<ByName<ContactValue>>;
 /// One case as in CONTACT: its control digits, and all values in its memory. Names are those of CONTACT; other names
 /// are defined in docs/contact-files.md. Units are CONTACT's: mm, N, s, rad, N/mm^2.
 struct ContactCase {
-    int number = 0;                 ///< as printed by CONTACT, counted from 1 in each result element
-    std::size_t line = 0;           ///< of its first control word, counted from 1
+    int number = 0;                 ///< number printed by CONTACT, counted from 1 in each result element
+    std::size_t line = 0;           ///< line of its first control word, counted from 1
     int module_number = 0;          ///< 1, a wheel on its rail, or 3, basic contact
     std::optional<int> reid, cpid;  ///< result element and contact problem, if named in the file
     ByName<int> digits;             ///< C1 (module 1) P B T N F S, V L D C M Z E M2 W2, X H G I A O W R

@@ -31,7 +31,7 @@ std::int32_t failed(const void* handle, Object* object) noexcept {
     const std::int32_t code = failure.code;
     try {
         if (object != nullptr) object->keep(failure);
-    } catch (...) {  // no memory for the message; only the code is returned
+    } catch (...) {  // without memory for the message, only the code is returned
     }
     keep_failure(handle, std::move(failure));
     return code;

@@ -55,7 +55,7 @@ thread_local Kept last;
 Failure current_failure() noexcept {
     try {
         return translated();
-    } catch (...) {  // no memory for its sentence
+    } catch (...) {  // without memory for the message
         return {static_cast<std::int32_t>(StatusCode::resource_exhausted), {}, {}, {}};
     }
 }

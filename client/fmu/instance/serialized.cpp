@@ -34,7 +34,8 @@ class Writer {
 };
 
 Failure damaged() {
-    return Failure("These bytes are no state of this FMU: they are damaged, cut off, or of another version or kind.");
+    return Failure(
+        "These bytes are not a state of this FMU: they are damaged, truncated, or of another version or kind.");
 }
 
 class Reader {

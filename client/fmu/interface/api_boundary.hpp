@@ -70,7 +70,7 @@ Status guarded(void* handle, const Body& body) noexcept {
         } catch (const std::exception& error) {
             instance->tell(Status::error, Category::errors, error.what());
         }
-    } catch (...) {  // of the importer's own log
+    } catch (...) {  // an exception of the importer's own log
     }
     return Status::error;
 }

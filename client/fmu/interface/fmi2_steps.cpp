@@ -13,7 +13,7 @@ fmi2Status refuse(fmi2Component c, const char* sentence) {
 }
 
 fmi2Status no_pending(fmi2Component c) {
-    return refuse(c, "Steps are never pending: they end before fmi2DoStep returns, and so there is no status of one.");
+    return refuse(c, "Steps are never pending: they end before fmi2DoStep returns, so they have no status.");
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct Variable {
     double start = 0;                          ///< except texts, which are initially empty or `text`
     std::string_view text{};                   ///< what a text starts with
     const Enumeration* enumeration = nullptr;  ///< for enumerations, integers that represent them, and keyword_at
-    std::string_view same_as{};                ///< of an integer that represents an enumeration: the enumeration's name
+    std::string_view same_as{};                ///< for an integer instead of an enumeration: the enumeration's name
     std::string_view says{};                   ///< a sentence or two
     std::string_view path{};                   ///< path of a field that contactd.h sets or reads; words are keywords
     bool zero_is_absent = false;               ///< true for an optional field, which is omitted if the value is 0

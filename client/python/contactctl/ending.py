@@ -43,7 +43,7 @@ def end_soon_after_signals() -> None:
             ["/bin/sh", "-c", _WATCH, "contactctl-watch", str(os.getpid())],
             stdin=reading, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, cwd="/", start_new_session=True,
         )  # fmt: skip
-    except OSError:  # no new process is possible: the command continues without
+    except OSError:  # a new process is impossible, so the command continues without it
         os.close(writing)
         return
     finally:

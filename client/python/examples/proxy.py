@@ -80,7 +80,7 @@ class Proxy:
         self._front.setsockopt(zmq.IPV6, address.startswith("tcp://["))
         path = Path(address.removeprefix("ipc://"))
         if address.startswith("ipc:///") and path.exists() and not path.is_socket():
-            raise SystemExit(f"{path} is no socket; listening there would remove it.")
+            raise SystemExit(f"{path} is not a socket; listening there would remove it.")
         self._front.bind(address)
         self.address = self._front.getsockopt_string(zmq.LAST_ENDPOINT)
         self._daemons, self._idle_seconds = daemons, idle_seconds

@@ -54,7 +54,7 @@ class ElasticityProblem {
     IcSpec spec_;
     long long elements_ = 0;
     std::function<ElementPoint(double, double)> locate_;
-    std::vector<int> local_number_;  ///< of each element of the whole mesh; -1 for elements elsewhere
+    std::vector<int> local_number_;  ///< number of each element of the whole mesh; -1 for elements elsewhere
     std::unique_ptr<mfem::ParMesh> mesh_;
     mfem::H1_FECollection collection_;
     std::unique_ptr<mfem::ParFiniteElementSpace> space_;

@@ -25,7 +25,7 @@ using Coefficients = std::variant<Ics, GivenIcs>;
 
 struct Body {
     Material material;                              ///< may be rigid; for layers, the material of the surface
-    Coefficients ics{};                             ///< of this body alone; not used if it is rigid
+    Coefficients ics{};                             ///< coefficients of this body alone; unused if it is rigid
     std::optional<Viscoelasticity> viscoelastic{};  ///< for half-spaces in closed form
 
     /// Returns the table in the request, or null. A rigid body has none.

@@ -84,7 +84,7 @@ struct EquivalentConicity {
     double amplitude = 0;   ///< half of the lateral motion (mm)
     double integrated = 0;  ///< computed from the wavelength of the kinematic motion; NaN without oscillation
     double harmonic = 0;    ///< computed from the first harmonic of the radius difference; NaN without a centre
-    double wavelength = 0;  ///< of the kinematic motion (mm); infinite without a radius difference
+    double wavelength = 0;  ///< length of the kinematic motion (mm); infinite without a radius difference
 };
 
 }  // namespace contactd

@@ -33,8 +33,8 @@ enum class ErrorSource { hertz, estimate };
 struct Discretisation {
     int elements_across = 0;  ///< along the direction with fewer elements; directions in which the contact fills the
                               ///< grid do not count
-    double force_error = 0;   ///< of the normal force for the given approach, whether force or approach was prescribed
-    double pmax_error = 0;    ///< of the largest pressure under the prescribed load
+    double force_error = 0;   ///< error of Fn for the given approach, whether force or approach was prescribed
+    double pmax_error = 0;    ///< error of the largest pressure under the prescribed load
     /// Both errors come from Hertz's closed form for a paraboloid on half-spaces, otherwise from an estimate by
     /// elements_across.
     ErrorSource source = ErrorSource::estimate;
@@ -142,7 +142,7 @@ struct ContactSolution {
     std::optional<RollingResistance> rolling_resistance;  ///< for viscoelastic bodies
     std::optional<ContactWear> wear;                      ///< if requested
     std::optional<ContactFatigue> fatigue;                ///< if requested
-    std::optional<Motion> motion;                         ///< as requested, or as determined by a prescribed force
+    std::optional<Motion> motion;                         ///< requested, or determined by a prescribed force
     std::optional<double> upper_speed;                    ///< speed of wheels on rails, as in the problem (mm/s)
     std::optional<Derivatives> derivatives;               ///< if requested and converged, with contact
     std::vector<std::string> warnings;                    ///< messages for the user of the solution

@@ -30,7 +30,7 @@ enum class TangentialSolver { newton, tangcg };
 struct ContactSettings {
     SolverSettings normal{1e-8, 1000};  ///< ||d||_rms / ||h||_rms; all results depend on the pressures
     SolverSettings tangential;          ///< ||p_t - p_t,old|| / ||p_t||, and the estimated error
-    SolverSettings outer{1e-6, 100};    ///< of the loop for dissimilar bodies, slip laws and forces
+    SolverSettings outer{1e-6, 100};    ///< settings of the loop for dissimilar bodies, slip laws and forces
     /// If Newton's method fails, TangCG is tried afterwards, but not vice versa.
     TangentialSolver tangential_solver = TangentialSolver::newton;
 

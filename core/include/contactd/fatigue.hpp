@@ -77,7 +77,7 @@ struct FatigueRow {
     double y = 0, z = 0, angle = 0;                ///< as in WearRow
     double pressure = 0, traction = 0;             ///< largest values in the row (N/mm^2)
     double force_x = 0, force_y = 0;               ///< tangential force on the body (N/mm)
-    std::optional<double> shear{}, shear_depth{};  ///< as in ContactFatigue (N/mm^2, mm)
+    std::optional<double> shear{}, shear_depth{};  ///< see ContactFatigue (N/mm^2, mm)
     std::optional<double> dang_van{}, dang_van_depth{};
 
     bool operator==(const FatigueRow&) const = default;

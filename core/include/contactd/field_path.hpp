@@ -32,7 +32,7 @@ class FieldPath {
    private:
     struct Step {
         const Field* field;
-        std::optional<std::size_t> index;  ///< of an entry, if the field is a list
+        std::optional<std::size_t> index;  ///< index of an entry, if the field is a list
     };
 
     std::string text_;

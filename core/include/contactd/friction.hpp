@@ -79,7 +79,7 @@ struct Shift {
     RigidShift rigid_shift{};  ///< an initial estimate for components that `force` prescribes
     double rotation = 0;       ///< about z, positive from x to y (rad)
     Force force{};
-    double duration = 1;  ///< of the step (s); slip velocity = slip / duration, which only a slip law uses
+    double duration = 1;  ///< duration of the step (s); only a slip law uses slip velocity = slip / duration
 
     bool operator==(const Shift&) const = default;
 };

@@ -9,7 +9,7 @@
 namespace contactd {
 
 struct GivenIcs {
-    IcTable table;  ///< of a body, or of the pair (see pair_of); mm^3/N
+    IcTable table;  ///< table of a body, or of the pair (see pair_of); mm^3/N
     double dx = 0;  ///< element size of the table along x (mm)
     double dy = 0;  ///< element size along y (mm)
 

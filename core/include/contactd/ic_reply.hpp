@@ -13,10 +13,10 @@ namespace contactd {
 struct IcReply {
     std::string key;
     std::string origin;  ///< "closed_form", "memory", "disk" or "built"
-    IcSpec spec;         ///< as requested, with its defaults
+    IcSpec spec;         ///< the request with its defaults
     IcTable table;       ///< in mm^3/N, cropped to the request; ny is table_rows() of the spec
     IcEvidence evidence;
-    std::vector<StripFrame> frames{};  ///< of the strips of a longitudinally uniform body
+    std::vector<StripFrame> frames{};  ///< frames of the strips of a longitudinally uniform body
 };
 
 /// Describes the origin of the coefficients of one body.
@@ -38,7 +38,7 @@ enum class FileFormat { hdf5, contents, contact };
 
 struct IcExport {
     IcSpec spec;
-    std::optional<Material> lower;  ///< of the second body, for CONTACT's text; absent: equal to the first
+    std::optional<Material> lower;  ///< material of the second body, for CONTACT's text; absent: equal to the first
     FileFormat format = FileFormat::hdf5;
 };
 

@@ -56,14 +56,14 @@ struct FemSpec {
     double t1_over_hs = 0;  ///< thickness of the first layer over the cube's element size; 0 means f, as in the paper
     double L_over_h = 640;  ///< size of the block over the element size
     Diagonal diagonal = Diagonal::outward;  ///< of mesh prism only
-    long long max_dofs = 60'000;            ///< of mesh adaptive only: limit of refinement
+    long long max_dofs = 60'000;            ///< limit of refinement, for mesh adaptive only
     FarBoundary far_boundary = FarBoundary::half_space;
     Sampling sampling = Sampling::fem;
     Solver solver = Solver::automatic;
     StoppingCriterion stopping_criterion = StoppingCriterion::residual;
     double tolerance = 1e-8;                   ///< of the stopping criterion
-    int max_iterations = 1000;                 ///< of conjugate gradients, per load case
-    std::optional<double> strength_threshold;  ///< of BoomerAMG; absent: chosen for the mesh
+    int max_iterations = 1000;                 ///< limit of conjugate gradients, per load case
+    std::optional<double> strength_threshold;  ///< threshold of BoomerAMG; absent: chosen for the mesh
 
     bool operator==(const FemSpec&) const = default;
 };

@@ -76,10 +76,10 @@ struct BuildSeconds {
 struct SectionEvidence {
     int order = 0;        ///< of the elements
     int wavenumbers = 0;  ///< number of wavenumbers at which it was computed
-    double error = 0;     ///< of any coefficient: the sum of the three below
+    double error = 0;     ///< error of any coefficient: the sum of the three below
     double mesh_error = 0;
     double wavenumber_error = 0;    ///< of interpolation between them
-    double end_error = 0;           ///< of the part beyond the last wavenumber
+    double end_error = 0;           ///< error of the part beyond the last wavenumber
     double reciprocity_defect = 0;  ///< before the table was made symmetric, which removes the defect
 
     bool operator==(const SectionEvidence&) const = default;
@@ -109,7 +109,7 @@ struct IcEvidence {
     /// them, in the measures above.
     std::vector<double> family_nu;
     std::optional<double> interpolation_error;
-    std::optional<SectionEvidence> section;  ///< of a longitudinally uniform body by finite elements
+    std::optional<SectionEvidence> section;  ///< for a longitudinally uniform body by finite elements
     bool imported = false;                   ///< the table was imported, and contactd did not verify this
 };
 

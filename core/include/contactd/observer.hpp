@@ -10,14 +10,14 @@ namespace contactd {
 
 struct Progress {
     std::string_view stage;  ///< "normal", "tangential", "assembly", "amg_setup", "pcg", "sampling", ...
-    double fraction = 0;     ///< of the whole computation, 0..1, an estimate
+    double fraction = 0;     ///< estimated fraction of the whole computation, 0..1
     int iteration = 0;       ///< within the stage
     double residual = 0;     ///< the value of the stage's stopping criterion, 0 without one
     /// A step that begins now and does not report until its end (a factorisation) has this expected time (s), and this
     /// fraction at its end.
     double step_seconds = 0;
     double step_fraction = 0;
-    std::optional<double> seconds_left = std::nullopt;  ///< of the whole computation, if it can be predicted
+    std::optional<double> seconds_left = std::nullopt;  ///< time for the whole computation, if it can be predicted
 };
 
 /// Methods are called from the computing thread. The default observer ignores reports and never cancels.

@@ -13,7 +13,7 @@ namespace contactd {
 /// Selects neighbouring strips of a body's surface in a larger table. Tables begin and end at multiples of many strips
 /// along the profile, so that nearby positions of a wheel use the same ones.
 struct BodyStrips {
-    IcSpec spec{};  ///< of all strips of the table, of source fem; nx is that of the patch
+    IcSpec spec{};  ///< all strips of the table, of source fem; nx is that of the patch
     int first = 0;  ///< first strip of the patch, in the numbering of the section
 };
 

@@ -33,7 +33,7 @@ class ProfileCurve {
     ProfilePoint slope(double s) const;    ///< d/ds; its length is near 1
     ProfilePoint curving(double s) const;  ///< d2/ds2 (1/mm)
     Place place(double s) const;           ///< all three, at little more than the cost of one
-    double angle(double s) const;          ///< of the tangent, atan2(dz, dy) (rad): 0 along y, pi/2 along z
+    double angle(double s) const;          ///< angle of the tangent, atan2(dz, dy) (rad): 0 along y, pi/2 along z
     double curvature(double s) const;  ///< d angle / d arc length (1/mm): positive where the tangent turns from y to z
 
     double arc_length(double s) const;  ///< from the first point (mm); negative before it

@@ -29,7 +29,7 @@ struct ProfileReading {
 
 /// Holds characteristic points of a wheel.
 struct WheelLandmarks {
-    ProfilePoint tip;     ///< of the flange, the lowest point
+    ProfilePoint tip;     ///< lowest point of the flange
     ProfilePoint throat;  ///< the point of largest concave curvature between the flange and the tread
     ProfilePoint tread;   ///< at the running circle, 55 mm beside the tip
 
@@ -42,7 +42,7 @@ struct ProfileEvidence {
     double spacing = 0;           ///< mean distance of the used points (mm)
     double rounded_to = 0;        ///< rounding step of all given coordinates (mm); 0: none of 1, 0.1, .. 0.001
     double cut_off = 0;           ///< wavelength whose amplitude smoothing halves (mm); 0: none
-    double largest_distance = 0;  ///< of the used points from the curve (mm): 0 without smoothing
+    double largest_distance = 0;  ///< distance of the used points from the curve (mm): 0 without smoothing
     double rms_distance = 0;
     std::vector<double> kinks{};            ///< y (mm)
     std::optional<WheelLandmarks> wheel{};  ///< for wheels whose flange is at least 10 mm high

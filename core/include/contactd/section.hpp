@@ -96,7 +96,7 @@ struct RailSection {
 /// Selects the rim of a wheel S1002, above its running surface: tape circle at the origin, flange at y < 0. Its inner
 /// face is clamped. The outline, and s, run from the field side to the flange.
 struct WheelRimSection {
-    double thickness = 60;  ///< of the rim, from the tape circle to its inner face (mm)
+    double thickness = 60;  ///< thickness of the rim, from the tape circle to its inner face (mm)
     double from = 0;        ///< start of the first strip, from the tape circle, positive towards the flange (mm)
 
     bool operator==(const WheelRimSection&) const = default;
@@ -159,7 +159,7 @@ struct Slab {
 /// the profile.
 struct ProfileSection {
     ProfileSpec profile{};
-    double depth = 0;  ///< of the cut below the profile's origin (of a wheel above it; mm)
+    double depth = 0;  ///< depth of the cut below the profile's origin (above it for a wheel; mm)
     double from = 0;   ///< start of the first strip, along the outline from y = 0 (mm)
 
     bool operator==(const ProfileSection&) const = default;

@@ -30,7 +30,7 @@ struct SessionSpec {
 struct WheelRailSessionSpec {
     WheelRailSetup setup{};
     std::optional<double> lease_seconds{};
-    bool accept_unconverged = false;  ///< as in SessionSpec; also for the searches for forces
+    bool accept_unconverged = false;  ///< see SessionSpec; also applies to the searches for forces
 };
 
 /// Describes an open session.
@@ -49,7 +49,7 @@ struct SessionInfo {
     std::size_t bytes = 0;               ///< memory, including saved states
     std::optional<Grid> grid{};          ///< of a contact
     std::optional<MotionKind> motion{};  ///< for a contact; absent without friction
-    std::optional<Side> side{};          ///< of a wheel on its rail
+    std::optional<Side> side{};          ///< side of a wheel on its rail
     IcUses ics{};
 };
 

@@ -54,7 +54,7 @@ struct SubsurfaceRequest {
     Grid grid;
     double nu = 0;  ///< Poisson's ratio of the body, 0 to 0.5; not used if ics has layers
     ContactBody body = ContactBody::lower;
-    Ics ics;  ///< of the solved problem: a half-space (also with a line contact) or layers; with angles also a
+    Ics ics;  ///< bodies of the solved problem: a half-space (also with a line contact) or layers; with angles also a
               ///< longitudinally uniform body
     /// Holds the tractions on the upper body of a contact solution, for requests of either body. The shape is [ny, nx]
     /// (N/mm^2); tractions may be empty, which means zero.
@@ -66,7 +66,7 @@ struct SubsurfaceRequest {
     /// If given, the body's shear modulus (N/mm^2) requests displacements, for half-spaces only.
     std::optional<double> G{};
 
-    std::vector<std::size_t> shape() const;                ///< of the results: [n], or [nz, ny, nx] for a block
+    std::vector<std::size_t> shape() const;                ///< shape of the results: [n], or [nz, ny, nx] for a block
     std::array<double, 3> point(std::size_t index) const;  ///< the point of a result
 };
 

@@ -40,7 +40,7 @@ struct ContactTemperature {
     double largest =
         0;  ///< in contact, common to both surfaces (degrees Celsius); without contact, the larger bulk temperature
     double x = 0, y = 0;                    ///< centre of its element, the first of equal ones (mm)
-    double largest_upper = 0;               ///< of all elements, including those before and behind the contact (degrees
+    double largest_upper = 0;               ///< largest of all elements, also before and behind the contact (degrees
                                             ///< Celsius)
     double largest_lower = 0;               ///< likewise
     double rise = 0;                        ///< largest one by friction alone (K)

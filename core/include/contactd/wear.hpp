@@ -154,7 +154,7 @@ struct ContactWear {
     double T_gamma_with_spin = 0;  ///< including spin: -(Fx xi + Fy eta + Mz phi) (N)
     double dissipation = 0;        ///< sum of |t s| over the elements, not scaled (N)
     double factor = 1;             ///< factor of the slips
-    double largest_pressure_slip = 0, largest_dissipation = 0;  ///< of p |s| and |t s| at an element (N/mm^2)
+    double largest_pressure_slip = 0, largest_dissipation = 0;  ///< p |s| and |t s| at an element (N/mm^2)
     double largest_sliding_velocity = 0;                        ///< (mm/s)
     std::vector<WearRow> rows{};                                ///< by ascending y of the grid; empty without contact
     std::vector<LawWear> laws{};                                ///< in the order of the request

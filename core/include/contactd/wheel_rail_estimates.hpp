@@ -46,12 +46,12 @@ class Trend {
 /// A step that is not steady continues from the tractions.
 struct WheelRailEstimates {
     HeightCorrection height{};
-    Trend height_logarithm{};  ///< of the correction at the computed height
+    Trend height_logarithm{};  ///< correction at the computed height
     Trend vertical_share{};    ///< Fz over the normal force of the only patch, including friction
 
     struct Patch {
         Grid grid;
-        double y = 0;  ///< of the reference of a right wheel (mm)
+        double y = 0;  ///< position of the reference of a right wheel (mm)
         RailPlace on_rail;
         double x = 0;  ///< position.x at that time (mm)
         SurfaceState tractions;
@@ -60,7 +60,7 @@ struct WheelRailEstimates {
     std::optional<double> rail_y{};        ///< lateral deflection of a flexible rail (mm)
     std::optional<double> slip{};          ///< the pitch rate that produces Fx, over that without creepage, minus 1
     std::vector<double> balance_slopes{};  ///< derivatives of the forces with respect to both, row by row
-    std::size_t regions = 0;               ///< of overlap, in all patches; 0: unknown
+    std::size_t regions = 0;               ///< number of regions of overlap, in all patches; 0: unknown
 
     void end_step() {
         height_logarithm.end_step();

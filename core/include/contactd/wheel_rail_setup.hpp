@@ -31,7 +31,7 @@ struct RailSprings {
 struct Track {
     double gauge = 1435;       ///< between the rails' gauge faces
     double gauge_height = 14;  ///< below the tops of the rails, where the gauge is measured
-    double cant = 0;           ///< of the profile, positive if leaning inwards
+    double cant = 0;           ///< inclination of the profile, positive if leaning inwards
     /// The origin of the rail's profile is at this position, with y to the field side from the centre of the track. It
     /// overrides gauge and gauge_height.
     std::optional<ProfilePoint> rail_origin{};
@@ -171,7 +171,7 @@ struct WheelRailFriction {
     std::optional<TemperatureFriction> temperature{};
     /// Replaces `temperature` if friction varies over the rail, by ascending angles.
     std::vector<TemperatureFrictionAtAngle> temperature_by_angle{};
-    std::optional<FrictionMemory> memory{};  ///< of `temperature_by_angle`, the same at all angles
+    std::optional<FrictionMemory> memory{};  ///< memory of `temperature_by_angle`, the same at all angles
 
     bool follows_temperature() const { return temperature || !temperature_by_angle.empty(); }
     bool operator==(const WheelRailFriction&) const = default;
@@ -205,7 +205,7 @@ struct WheelRailSetup {
     Model model = Model::full;
     NormalModel normal_model = NormalModel::of_model;  ///< as in ContactSetup
     SimplifiedSettings simplified{};
-    double sheet_flexibility = 0;  ///< of a thin sheet between them, as in ContactSetup (mm^3/N)
+    double sheet_flexibility = 0;  ///< flexibility of a thin sheet between them, as in ContactSetup (mm^3/N)
     /// Thermal properties request surface temperatures. They require steady rolling.
     std::optional<ThermalBodies> temperature{};
     std::optional<FatigueRequest> fatigue{};  ///< requests fatigue of rail (upper) or wheel (lower)
@@ -243,8 +243,8 @@ bool has_distances(const WheelRailSetup& setup);
 
 /// Describes both wheels of a wheelset. `side` of the parts is ignored.
 struct WheelsetSetup {
-    WheelRailSetup setup{};                ///< of both wheels, or of the right wheel if the left one has its own
-    std::optional<WheelRailSetup> left{};  ///< of the left wheel, if it differs
+    WheelRailSetup setup{};                ///< set-up of both wheels, or of the right wheel if the left one has its own
+    std::optional<WheelRailSetup> left{};  ///< set-up of the left wheel, if it differs
 
     bool operator==(const WheelsetSetup&) const = default;
 };

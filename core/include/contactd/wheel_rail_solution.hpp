@@ -87,7 +87,7 @@ struct ContactPlace {
     /// acts on the other. It is 1 on the diagonal.
     std::vector<double> shares;
     Grid grid;  ///< in contact coordinates; in a curved contact y is the arc length from the reference
-    std::vector<ContactRow> rows;  ///< of the grid of a curved contact; empty if it is plane
+    std::vector<ContactRow> rows;  ///< rows of the grid of a curved contact; empty if it is plane
     double approach = 0;           ///< largest penetration along n at the elements (mm)
     double penetration = 0;        ///< largest vertical penetration (mm)
     Creepages creepages;
@@ -161,15 +161,15 @@ struct PatchesLeftOut {
 };
 
 struct WheelRailSolution {
-    double z = 0;                                ///< of the wheelset, prescribed or computed (mm)
-    double pitch_rate = 0;                       ///< of the wheelset, prescribed or computed (rad/s)
+    double z = 0;                                ///< height of the wheelset, prescribed or computed (mm)
+    double pitch_rate = 0;                       ///< pitch rate of the wheelset, prescribed or computed (rad/s)
     ProfileFrame wheel_frame;                    ///< at this z, with the wheel's deviation
     ProfileFrame rail_frame;                     ///< with the rail's deviation and deflection; for a roller, at its top
     std::optional<double> clearance;             ///< at this z, as in WheelRailGeometry
     std::vector<WheelRailPatch> patches;         ///< from right to left; empty without contact
     std::optional<PatchesLeftOut> left_out;      ///< for an answer without patches
     WheelRailForces forces;                      ///< of all patches
-    std::optional<SolverEvidence> force;         ///< of the search for z: solves, |F - Fz|/Fz
+    std::optional<SolverEvidence> force;         ///< evidence of the search for z: solves, |F - Fz|/Fz
     std::optional<SolverEvidence> pitch_search;  ///< for Fx: searches for z, or solves; |F - Fx|/Fz
     std::optional<RailDeflection> rail_deflection;  ///< of a flexible rail
     /// Describes the search for the deflection of a flexible rail: the number of solves, and the remaining imbalance of

@@ -17,9 +17,9 @@ struct WheelOverRail {
     ProfileCurve wheel;
     ProfileCurve rail;
     double wheel_origin = 750;              ///< from the middle of the axle to y = 0 of the wheel's profile
-    ProfilePoint rail_origin{};             ///< of the rail's profile, from the middle of the track
-    double nominal_radius = 460;            ///< of the wheel at z = 0 of its profile
-    std::optional<double> roller_radius{};  ///< as in Track; absent: a rail
+    ProfilePoint rail_origin{};             ///< origin of the rail's profile, from the middle of the track
+    double nominal_radius = 460;            ///< radius of the wheel at z = 0 of its profile
+    std::optional<double> roller_radius{};  ///< see Track; absent: a rail
 };
 
 struct WheelsetOnTrack {

@@ -14,7 +14,7 @@ namespace {
 
 using Frames = std::vector<StripFrame>;
 
-constexpr double rounding = 1e-6;    // of angles, and of lengths over dy
+constexpr double rounding = 1e-6;    // rounding of angles, and of lengths over dy
 constexpr double largest_lag = 0.3;  // (rad) between bodies that lie along each other
 
 Frames frames_of(const Body& body, const Grid& grid, const std::string& name) {

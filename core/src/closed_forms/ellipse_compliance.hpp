@@ -12,7 +12,7 @@ namespace contactd {
 /// = F (centre_i - along_i x^2 - ... y^2). `combined` is as in combined_material.
 struct EllipseCompliance {
     double centre_x, centre_y;  ///< (mm/N)
-    double along_x, along_y;    ///< of x^2 in u_x and in u_y (1/(N mm))
+    double along_x, along_y;    ///< coefficients of x^2 in u_x and in u_y (1/(N mm))
     /// Scales areas: one k times as large moves under k^n F (n of force_power) by k^2 F centre_i (1 - logarithm ln k).
     /// It is zero for ellipses, which are similar to each other. Strips are not similar, because of the datum.
     double logarithm = 0;

@@ -20,8 +20,8 @@ struct EllipticContact {
     SemiAxes axes;      ///< (mm); zeros without contact
     double Fn = 0;      ///< (N), zero without contact
     Material combined;  ///< of combined_material
-    double length = 0;  ///< of a strip: length to which forces and areas refer (mm)
-    double datum = 0;   ///< of a strip: that of LineContactSpec (mm)
+    double length = 0;  ///< length of a strip to which forces and areas refer (mm)
+    double datum = 0;   ///< datum of LineContactSpec, for a strip (mm)
 
     bool empty() const { return !(Fn > 0 && axes.a > 0 && axes.b > 0); }
     bool is_strip() const { return length > 0; }
@@ -52,8 +52,8 @@ struct EllipticFriction {
     std::vector<double> friction_coefficient;  ///< for kinetic friction, the static one outside the contact; otherwise
                                                ///< empty
     std::optional<double> frictional_power;    ///< of rolling (N mm/s)
-    Motion motion;                             ///< as given, with components computed for prescribed forces
-    std::optional<SolverEvidence> force;       ///< of the search for the motion: |F - prescribed|/(mu Fn)
+    Motion motion;                             ///< the given motion, with components computed for prescribed forces
+    std::optional<SolverEvidence> force;       ///< evidence of the search for the motion: |F - prescribed|/(mu Fn)
 };
 
 }  // namespace contactd

@@ -26,7 +26,7 @@ HertzContact hertz_of_approach(const Paraboloid& gap, double compliance, double 
 struct CylinderGap {
     double R = 0;       ///< combined radius (mm)
     double length = 0;  ///< length along y to which forces refer (mm)
-    double datum = 0;   ///< of LineContactSpec: the distance at which displacements vanish (mm)
+    double datum = 0;   ///< datum of LineContactSpec: the distance at which displacements vanish (mm)
 };
 
 /// Return the line contact of cylinders (Johnson, sections 2.5 and 4.2(c)): a^2 = 4 Fn R c/(pi length), b infinite, and

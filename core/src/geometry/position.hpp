@@ -28,8 +28,8 @@ struct Profiles {
     std::shared_ptr<const SlicedRail> slices{};        ///< instead of the rail
     std::shared_ptr<const OutOfRound> out_of_round{};  ///< in addition to the wheel's profile, which is that of its
                                                        ///< first slice
-    std::vector<std::string> wheel_warnings{}, rail_warnings{};  ///< as in ProfileEvidence, or for all slices
-    std::optional<WheelLandmarks> landmarks{};                   ///< of the wheel, or of its first slice
+    std::vector<std::string> wheel_warnings{}, rail_warnings{};  ///< see ProfileEvidence, or for all slices
+    std::optional<WheelLandmarks> landmarks{};                   ///< landmarks of the wheel, or of its first slice
 };
 
 /// Makes the profiles. Throws InvalidArgument ("wheel.points[i]", "rail.points", ...) if the setup's profiles cannot be
@@ -41,7 +41,7 @@ inline const Observer no_observer{};
 
 struct CandidatePatch {
     ContactPlace place;
-    std::vector<double> gap;  ///< as in WheelRailPatch; empty until measured, and if a paraboloid replaces it
+    std::vector<double> gap;  ///< see WheelRailPatch; empty until measured, and if a paraboloid replaces it
     Paraboloid paraboloid{};
     double row_on_rail = 0, row_on_wheel = 0;  ///< arc lengths of the first row along the profiles (mm)
     Grid needed{};                             ///< grid that the overlap needs, without additional elements
@@ -53,7 +53,7 @@ struct CandidatePatch {
     std::vector<RowSlip> row_slips;      ///< only for rigid slip by surfaces
     RigidSlip additional_slip;           ///< for curved contacts: slip of each element in addition to the creepages
     double rail_speed = 0;               ///< speed at which the rail's surface passes through the contact (mm/s)
-    SlopesAlong slopes{};                ///< of the rail, if forces follow them
+    SlopesAlong slopes{};                ///< slopes of the rail, if forces follow them
     QualityFlags quality{};
 };
 

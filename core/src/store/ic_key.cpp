@@ -97,7 +97,7 @@ CanonicalObject canonical(const IcSpec& spec) {
     json.add("dy_over_dx", spec.dy);
     if (spec.source == IcSource::fem && spec.accuracy == 0) json.add_object("fem", canonical(spec.fem));
     if (spec.accuracy != 0 && spec.body == BodyShape::block) {
-        CanonicalObject size;  // of the body; the mesh is chosen later
+        CanonicalObject size;  // size of the body; the mesh is chosen later
         size.add("L_over_h", spec.fem.L_over_h);
         json.add_object("fem", size);
     }

@@ -49,7 +49,7 @@ void require_stated_errors(const IcTable& table, const IcSpec& spec, const IcEvi
 /// A block differs from the half-space by a smooth field as large as the half-space's displacements at its faces, which
 /// are some h/L of those under the load. Stated errors are added to it.
 constexpr double share_at_faces = 3, least_share = 0.02;
-constexpr double largest_defect = 0.1;  // of reciprocity: coefficients of a block depend slightly on the loaded element
+constexpr double largest_defect = 0.1;  // of reciprocity; coefficients of a block depend slightly on the loaded element
 
 void require_near_half_space(const IcTable& table, const IcSpec& spec, const IcEvidence& stated) {
     IcSpec half_space = spec;

@@ -14,7 +14,7 @@ using Values = StressRadial::Values;
 using enum StressRadial::Function;
 
 constexpr double per_two_pi = 0.5 / std::numbers::pi;
-constexpr double smallest = 1e-9;  // of k times a distance; smaller values have no effect
+constexpr double smallest = 1e-9;  // limit of k times a distance; smaller values have no effect
 
 Values spectra(const StressWave& wave) {
     const auto& [n, t, yz, xy] = wave;

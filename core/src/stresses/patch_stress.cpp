@@ -67,7 +67,7 @@ StressComponents edge_stress(Axis load, double x, double d, double nu, double sm
     if (std::abs(x) < 1e-6 * smallest) x = 0;
     d = std::abs(d);
     const double r = std::max(std::hypot(x, d), smallest), angle = std::atan2(x, d);
-    const double sine = x / r, cosine = d / r;  // of the angle from the depth
+    const double sine = x / r, cosine = d / r;  // for the angle from the depth
     if (load == Axis::y) return {0, 0, 0, -per_pi * std::log(r), 0, per_pi * angle};
     if (load == Axis::x)
         return plane_strain(-2 * std::log(r) - cosine * cosine, cosine * cosine, angle - sine * cosine, nu);

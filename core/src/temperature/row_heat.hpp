@@ -15,7 +15,7 @@ struct RowShares {
     double speed_upper = 0, speed_lower = 0;  ///< (mm/s), >= 0
     bool opposite = false;                    ///< whether the surfaces pass in opposite directions
     double share_of_upper = 0;                ///< share of the heat that flows into the upper body
-    double contact_temperature = 0;           ///< of both surfaces in contact, without friction (degrees Celsius)
+    double contact_temperature = 0;           ///< for both surfaces in contact, without friction (degrees Celsius)
     double unit = 0;                          ///< rise by a heat of 1 N/(mm s) for a weight of 1 (K mm s/N)
 };
 

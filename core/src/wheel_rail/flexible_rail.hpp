@@ -13,7 +13,7 @@ namespace contactd {
 
 class RightWheel;
 
-inline constexpr double deepest_penetration = 5;  ///< of a wheel in its rail (mm): more than any elastic penetration
+inline constexpr double deepest_penetration = 5;  ///< wheel in its rail (mm): more than any elastic penetration
 
 /// Returns the state with the rail fixed in its deflected position, the wheel at its height or under its force, and the
 /// same pitch rate.

@@ -44,7 +44,7 @@ ProfileFrame profile_frame(const geometry::Frame& frame) {
     return {origin.x, origin.y, origin.z, std::atan2(-axes.z.y, axes.z.z), std::atan2(-axes.y.x, axes.x.x)};
 }
 
-constexpr double least_share = 0.2;  // of the normal force in Fz, below which neither determines the other
+constexpr double least_share = 0.2;  // share of the normal force in Fz, below which neither determines the other
 
 /// Returns the deviation of a patch's answers from those with tight tolerances.
 double accuracy_of(const ContactEvidence& evidence) {
@@ -61,7 +61,7 @@ std::optional<double> share_of(const WheelRailPatch& patch) {
 
 /// A wheel that hardly rolls in a step, for example one that starts, slips as in a shift.
 WheelRailState shifted_if_slow(const WheelRailSetup& setup, WheelRailState state) {
-    constexpr double least_step = 1e-5;  // of rolling, over an element's size
+    constexpr double least_step = 1e-5;  // rolling step over an element's size
     if (state.motion != WheelRailMotion::transient_rolling || !state.time_step) return state;
     const double of_rim = std::abs(state.velocity.pitch) * setup.wheelset.nominal_radius;
     const double of_roller = std::abs(state.roller_pitch) * setup.track.roller_radius.value_or(0);
@@ -177,7 +177,7 @@ std::size_t RightWheel::regions_at(double z) const {
 }
 
 bool RightWheel::falls_where_regions_merge(const WheelRailSolution& solution, Observer& observer) const {
-    constexpr double step = 0.005, noise = 1e-3;  // of the approach; of forces on other elements
+    constexpr double step = 0.005, noise = 1e-3;  // step of the approach; noise of forces on other elements
     double approach = 0;
     for (const WheelRailPatch& patch : solution.patches)
         if (std::ranges::any_of(patch.place.shares, [](double share) { return share < 1; }))

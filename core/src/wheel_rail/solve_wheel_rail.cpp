@@ -49,7 +49,7 @@ struct WheelRailContact::Parts {
         curved->conformal = Conformal::rotated;
     }
 
-    WheelRailSetup setup, solved;  // as given, and with the tolerances of its accuracy
+    WheelRailSetup setup, solved;  // the given set-up, and the one with the tolerances of its accuracy
     std::shared_ptr<const geometry::Profiles> profiles;
     InfluenceSource influences;
     std::vector<std::string> warnings;                // added to every solution

@@ -9,7 +9,7 @@ namespace contactd {
 namespace {
 
 constexpr double largest_slide = 0.5;       // longitudinal creepage of a wheel that is not meant to slide
-constexpr double largest_curvature = 0.05;  // of the rail along the track over the wheel's, above which it matters
+constexpr double largest_curvature = 0.05;  // ratio of the rail's curvature along the track to the wheel's
 
 }  // namespace
 

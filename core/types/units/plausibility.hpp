@@ -9,13 +9,13 @@ namespace contactd {
 
 /// Selects the physical quantity of a field.
 enum class Quantity {
-    angle,                 ///< of wheelsets and rails (rad)
+    angle,                 ///< angles of wheelsets and rails (rad)
     friction_coefficient,  ///< as a ratio
     lateral_position,      ///< of a wheelset (mm)
     track_length,          ///< from the first slice of a rail to the last (mm)
-    vehicle_speed,         ///< of a wheel on its rail (mm/s)
+    vehicle_speed,         ///< speed of a wheel on its rail (mm/s)
     vertical_force,        ///< on the wheel of a vehicle (N)
-    shear_modulus,         ///< of wheels and rails (N/mm^2)
+    shear_modulus,         ///< modulus of wheels and rails (N/mm^2)
 };
 
 /// Trains run at 5 to 100 m/s, or 20 to 400 km/h. A smaller number (mm/s) is probably in one of these units; tests at

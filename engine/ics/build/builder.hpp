@@ -18,7 +18,7 @@ struct BuilderCommand {
     std::vector<std::string> launcher;                     ///< e.g. {"mpirun", "-np", "4"}; empty: none
     std::filesystem::path program;                         ///< contactd-ic
     std::vector<std::string> environment{"PATH", "HOME"};  ///< variables that are passed on (passed_on)
-    std::size_t max_memory_bytes = 0;                      ///< of all processes on one machine; 0: the builder decides
+    std::size_t max_memory_bytes = 0;                      ///< for all processes on one machine; 0: the builder decides
     std::chrono::seconds stall{0};                         ///< longest time without progress; 0: no limit
     std::chrono::seconds longest{0};                       ///< duration of a build; 0: no limit
 };

@@ -22,8 +22,8 @@ class ResilientStore {
    public:
     using Record = std::shared_ptr<const IcRecord>;
     struct Budgets {
-        std::uintmax_t disk_bytes = 0;  ///< of all files; 0: no limit
-        std::size_t unsaved_bytes = 0;  ///< of tables that wait for the disk
+        std::uintmax_t disk_bytes = 0;  ///< limit of all files; 0: no limit
+        std::size_t unsaved_bytes = 0;  ///< limit of tables that wait for the disk
     };
 
     /// Removes left-over files of dead processes, updates times of use, and checks whether the folder is writable.

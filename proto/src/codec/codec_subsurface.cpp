@@ -16,7 +16,7 @@ using Shape = std::vector<std::size_t>;
 using Values = std::vector<double>;
 
 constexpr std::size_t arrays_of_result = 7, arrays_of_invariants = 5, arrays_of_displacement = 3;
-constexpr std::size_t longest_axis = 4'000'000;  // of an array on the wire
+constexpr std::size_t longest_axis = 4'000'000;  // values of an array on the wire
 /// The squares of larger tractions exceed the range of a double.
 constexpr double largest_traction = 1e100;
 

@@ -137,7 +137,7 @@ bool Rules::read_part_keyword(const std::string& keyword, const json& value) {
         {"allOf", &all_of_}, {"anyOf", &any_of_}, {"oneOf", &one_of_}};
     for (const auto& [name, part] : single) {
         if (name != keyword) continue;
-        if (!value.is_object()) throw std::logic_error("The keyword " + keyword + " of a schema is no schema.");
+        if (!value.is_object()) throw std::logic_error("The keyword " + keyword + " of a schema is not a schema.");
         *part = std::make_unique<const Rules>(value);
         return true;
     }

@@ -26,7 +26,7 @@ using Registry = std::map<std::string, CompiledSchema, std::less<>>;
 /// Returns the schema of params that consist of one list of another method's params.
 struct ListSchema {
     std::string name;      ///< of the list
-    CompiledSchema shape;  ///< of everything except the members
+    CompiledSchema shape;  ///< checks everything except the members
     CompiledSchema member;
 };
 using ListSchemas = std::map<std::string, ListSchema, std::less<>>;

@@ -74,7 +74,7 @@ class EventReader : public nlohmann::json_sax<json> {
     }
 
    private:
-    static constexpr int number_overflow = 406;  // of nlohmann::json::out_of_range
+    static constexpr int number_overflow = 406;  // code of nlohmann::json::out_of_range
 
     struct Open {
         json* value;

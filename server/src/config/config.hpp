@@ -26,7 +26,7 @@ struct SessionLimits {
 /// Bounds of the data kept of the last solves.
 struct RecentSolvesLimits {
     std::size_t count;      ///< solves; 0: none
-    std::size_t max_bytes;  ///< of the pressures of all solves together; the oldest are removed first
+    std::size_t max_bytes;  ///< limit of the pressures of all solves together; the oldest are removed first
 };
 
 /// Rules of access to methods.

@@ -23,7 +23,7 @@ class OpenCalls {
     struct Bounds {
         std::size_t calls;
         std::size_t calls_per_client;
-        std::size_t bytes;               ///< of their messages; a single request is always accepted
+        std::size_t bytes;               ///< limit of their messages; a single request is always accepted
         std::size_t calls_per_user = 0;  ///< for one user over all connections; 0: no limit
     };
     /// Released with the last copy.

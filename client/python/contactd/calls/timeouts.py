@@ -38,7 +38,7 @@ def spin_of(value: Any) -> float:
 
 def may_build(params: dict[str, Any]) -> bool:
     """Whether a request with these parameters may have to wait for tables by finite elements."""
-    if "state" in params:  # of a wheel on its rail, or of both
+    if "state" in params:  # one state of a wheel on its rail, or both states
         return any(wheel_may_build(params.get(setup)) for setup in ("setup", "left"))
     problems = params.get("problems", [params])
     return any(_asks_for_finite_elements(problem) for problem in problems if isinstance(problem, dict))

@@ -209,7 +209,7 @@ class Exchanges:
     def _sent(self, one: _Open) -> bool:
         try:
             self._socket.send_multipart(one.request.message(), flags=zmq.DONTWAIT)
-        except zmq.Again:  # as many as the socket accepts; it signals when it accepts more
+        except zmq.Again:  # the socket is full; it signals when it accepts more
             return False
         one.is_sent = True
         return True

@@ -208,7 +208,7 @@ def _ics_of(problem: ContactProblem, body: str) -> dict[str, Any]:
     """Returns the parts of `ics` that identify bodies other than half-spaces."""
     own = problem.upper_ics if body == "upper" else problem.lower_ics
     name, ics = ("ics", problem.ics) if own is None else (f"{body}_ics", own)
-    if problem.model not in (None, "full"):  # of half-spaces by their theory
+    if problem.model not in (None, "full"):  # simplified models use the theory of half-spaces
         line = getattr(ics, "line_contact", None)
         return {} if line is None else {"ics": params_of(AnalyticIcs(line_contact=line))}
     if isinstance(ics, TableIcs):

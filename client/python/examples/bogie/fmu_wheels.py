@@ -130,7 +130,7 @@ def described(archive: Path) -> Any:
     try:
         description = fmpy.read_model_description(str(archive))
     except Exception as error:
-        raise ValueError(f"{archive} is no FMU that can be read: {error}") from None
+        raise ValueError(f"{archive} is not a readable FMU: {error}") from None
     if description.modelName != "contactd_wheel":
         raise ValueError(f"{archive} is {description.modelName}; it must be contactd_wheel")
     return description

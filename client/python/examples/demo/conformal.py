@@ -49,7 +49,7 @@ WAYS = {
 CORNER = {"rail_60e1": {"from": 20}}
 RIM = {"rim_s1002": {"from": 18}}
 BALL, LOAD, BLOCK, EDGE_SIZE = 50.0, 5e3, {"width": 100, "height": 50}, 0.25  # mm, N, mm, mm
-DISTANCES = {3.0: (0.003, 0.09), 0.5: (-0.22, 0.43), 0.0: (-0.45, 0.50)}  # of pmax and approach, by a prototype
+DISTANCES = {3.0: (0.003, 0.09), 0.5: (-0.22, 0.43), 0.0: (-0.45, 0.50)}  # errors of pmax and approach, by a prototype
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ import numpy as np
 Curve = np.ndarray[Any, Any]  # shape [n, 2]: y, z
 
 GAUGE, GAUGE_HEIGHT, NOMINAL_RADIUS = 1435.0, 14.0, 460.0
-WHEEL_ORIGIN = 750.0  # of the profile, from the middle of the axle
+WHEEL_ORIGIN = 750.0  # position of the profile, from the middle of the axle
 TREAD = [-3.358537058e-2, 1.565681624e-3, -2.810427944e-5, 5.844240864e-8, -1.562379023e-8, 5.309217349e-15, -5.957839843e-12, 2.646656573e-13]  # fmt: skip
 THROAT = [-4.320221063e3, -1.038384026e3, -1.065501873e2, -6.051367875, -2.054332446e-1, -4.169739389e-3, -4.687195829e-5, -2.252755540e-7]  # fmt: skip
 

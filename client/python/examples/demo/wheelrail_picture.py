@@ -20,7 +20,7 @@ from contactd.wheel_rail import WheelRailPatch, WheelRailSolution
 Sweep = dict[str, list[WheelRailSolution]]
 COLOURS = {"left": "#1449b8", "right": "#c8553d"}
 SHIFTS = [y for y, _, _ in POSITIONS]
-SHOWN_PATCH = 5  # of the right wheel: two regions of overlap with a weighted interaction
+SHOWN_PATCH = 5  # a patch of the right wheel: two regions of overlap with a weighted interaction
 
 
 def draw_wheelset(path: Path, sweep: Sweep) -> None:

@@ -36,7 +36,7 @@ class IrregularTrack(Track):
         edges = np.geomspace(2 * np.pi / 80, 2 * np.pi / 4, waves + 1)  # rad/m
         w, dw = np.sqrt(edges[1:] * edges[:-1]), np.diff(edges)
         shape = 0.8246**2 / ((w**2 + 0.0206**2) * (w**2 + 0.8246**2))
-        cross = w**2 / (0.75**2 * (w**2 + 0.438**2))  # of an angle: by the half distance of the rails it is a height
+        cross = w**2 / (0.75**2 * (w**2 + 0.438**2))  # an angle; times half the distance of the rails it is a height
         spectra = np.array([2.119e-7 * shape, 4.032e-7 * shape, 4.032e-7 * shape * cross * 0.75**2])
         self._amplitudes = 1000 * scale * np.sqrt(2 * spectra * dw)  # mm: across, level, cross level
         self._phases = random.uniform(0, 2 * np.pi, spectra.shape)

@@ -92,7 +92,7 @@ class LinearContact:
             rail = motion.vx * np.array([0.0, y_slope, z_slope])
             rolling = abs(motion.vx)
             creepages = np.array([(rail - wheel) @ forwards, (rail - wheel) @ across, -rates @ normal]) / rolling
-            length = (fn / self.load) ** (1 / 3)  # of the ellipse's axes: spin forces are proportional to their cube
+            length = (fn / self.load) ** (1 / 3)  # mean of the ellipse's axes; spin forces follow its cube
             fx, fy, mz = (length, length, length**2) * (self.creep @ ((length, length, length**2) * creepages))
             on_rail = fx * forwards + fy * across + fn * normal
             force -= on_rail

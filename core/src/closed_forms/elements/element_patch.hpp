@@ -12,8 +12,8 @@ namespace contactd {
 
 struct ElementPatch {
     std::vector<double> bound;  ///< friction bound over its coefficient, shape [ny, nx] (N/mm^2)
-    SemiAxes axes;              ///< of the ellipse that determines flexibilities and creepage coefficients (mm)
-    SemiAxes counted;           ///< of the ellipse that is equivalent to the elements (mm)
+    SemiAxes axes;              ///< ellipse that determines flexibilities and creepage coefficients (mm)
+    SemiAxes counted;           ///< ellipse that is equivalent to the elements (mm)
     double Fn = 0;              ///< (N)
     double area = 0;            ///< (mm^2)
     Material combined;          ///< of combined_material

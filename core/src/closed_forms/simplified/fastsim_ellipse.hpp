@@ -21,7 +21,7 @@ struct FastsimTotals {
 // Holds the positions of slices and the ends of steps, for an ellipse of semi-axes 1.
 struct FastsimNodes {
     std::vector<double> positions;      // x over half the chord, after the leading edge
-    std::vector<Quad> heights, widths;  // of the slices over b; those beyond the last have no width
+    std::vector<Quad> heights, widths;  // sizes of the slices over b; those beyond the last have no width
 
     explicit FastsimNodes(const FastsimSettings& settings);
 };

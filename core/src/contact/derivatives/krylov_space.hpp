@@ -80,7 +80,7 @@ class KrylovSpace {
     // Columns are the images of directions under the matrix, the directions, which only symmetric equations need, their
     // sums, and, in rows, their shares in the solutions. Images are orthonormal, or directions conjugate.
     Matrix images_, directions_, direction_sums_, shares_;
-    Matrix residuals_, sums_;  // of the right-hand sides; residuals weighted unless symmetric
+    Matrix residuals_, sums_;  // for the right-hand sides; residuals weighted unless symmetric
     std::vector<State> states_;
     Vector residual_, step_, image_, step_sums_;
     bool converged_ = false;

@@ -12,7 +12,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int most_rounds = 2;            // of transient and direct steps
+constexpr int most_rounds = 2;            // rounds of transient and direct steps
 constexpr int most_steps = 120;           // of one transient
 constexpr double march_tolerance = 1e-4;  // sufficient as a start of the direct iteration
 

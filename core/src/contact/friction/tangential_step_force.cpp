@@ -103,7 +103,7 @@ FrictionSolution TangentialStep::solve_at_once(const PrescribedForces& forces, c
 RollingSolution TangentialStep::search(const PrescribedForces& forces, const Field& rest, std::span<const double> bound,
                                        const Field& estimate, Observer& observer) {
     RollingSolution solution;
-    SolverEvidence all;  // of the tangential solves together
+    SolverEvidence all;  // evidence of the tangential solves together
     const Field* start = &estimate;
     Field last;
     const auto solve = [&](double wx, double wy, double tolerance) -> ForcesAtSlip {

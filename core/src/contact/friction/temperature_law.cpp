@@ -117,7 +117,7 @@ class TemperatureLaw::Row {
     std::vector<double>& mu_;
     const RowShares shares_;
     std::vector<std::pair<std::size_t, double>> sources_;  // position and heat of those ahead
-    std::vector<double> changes_;                          // of coefficients since particles entered
+    std::vector<double> changes_;                          // changes of coefficients since particles entered
 };
 
 double TemperatureLaw::follow(const MotionOfElements& motion, std::span<const double> pressure) {

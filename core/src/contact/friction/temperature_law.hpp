@@ -12,7 +12,7 @@ namespace contactd {
 /// Holds the motion of each element in the last solve.
 struct MotionOfElements {
     std::vector<double> slip_velocity;  ///< (mm/s), >= 0; 0 in adhesion
-    std::vector<double> plastic_heat;   ///< of a layer that flows (N/(mm s)); empty if none
+    std::vector<double> plastic_heat;   ///< heat of a layer that flows (N/(mm s)); empty if none
     std::vector<double> slip_of_rows;   ///< mean relative slip along x in each row, per distance rolled
 };
 

@@ -21,7 +21,7 @@ struct Linearisation {
     // difference of a traction from the one that it follows.
     struct Flow {
         Field direction;                  // p/|p| of elements that flow, 0 elsewhere
-        std::vector<double> slope, unit;  // of the yield stress over the flow (N/mm^3); length of slip of a traction
+        std::vector<double> slope, unit;  // slope of the yield stress over the flow (N/mm^3); slip per traction
         std::vector<char> follows;        // whether it follows the incoming yield stress, not the least one
 
         explicit Flow(std::size_t m) : direction(m), slope(m), unit(m), follows(m) {}

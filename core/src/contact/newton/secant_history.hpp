@@ -79,7 +79,7 @@ class SecantHistory {
     // There is one slot more than used, for the new step. The block is not initialised, because most solves use little
     // of it.
     std::unique_ptr<double[]> values_;
-    std::vector<Pair> rigid_, forces_;  // of steps and of images, by slots
+    std::vector<Pair> rigid_, forces_;  // values of steps and of images, by slots
     std::vector<double> products_;      // by slots
     bool knows_newest_ = true;          // whether products with the newest image are known
     std::vector<double> factor_, right_, scale_;

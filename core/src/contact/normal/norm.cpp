@@ -100,7 +100,7 @@ void Norm::go_along_last_change() {
 
 SolverEvidence Norm::solve() {
     SolverEvidence evidence;
-    bool exhausted = false;  // no decrease is possible on this set
+    bool exhausted = false;  // true if no decrease is possible on this set
     for (int iteration = 0;; ++iteration) {
         observer_->throw_if_cancelled();
         const Check check = check_;

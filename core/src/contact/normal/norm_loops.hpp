@@ -41,7 +41,7 @@ struct NormSlope {
     double curvature = 0;  ///< v . q
     double slope = 0;      ///< r . v
     double rise = 0;       ///< sum of q over the set
-    double count = 0;      ///< of elements in the set
+    double count = 0;      ///< number of elements in the set
 };
 NormSlope slope_along(const NormState& state, const double* v, const double* q);
 

@@ -12,7 +12,7 @@ namespace contactd {
 
 struct OuterStart {
     Field tractions;  ///< on the grid, within the bound
-    Motion motion;    ///< as given, with components computed for prescribed forces
+    Motion motion;    ///< the given motion, with components computed for prescribed forces
 };
 
 /// Iterates roughly between pressures and tractions on the coarser grid. `distance` is the problem's undeformed

@@ -8,7 +8,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr double coarse_tolerance = 1e-2;  // of an estimate, which has the coarser grid's error anyway
+constexpr double coarse_tolerance = 1e-2;  // tolerance of an estimate, which has the coarser grid's error anyway
 constexpr int most_coarse_iterations = 40;
 
 std::optional<FrictionBodies> coarser(const FrictionBodies& bodies) {

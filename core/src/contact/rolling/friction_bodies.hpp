@@ -17,7 +17,7 @@ struct FrictionBodies {
     const InfluenceOperator& influence;
     const StepOperator* increment;  ///< null for shifts
     Grid grid;
-    double step_x = 0, step_y = 0;  ///< as in RollingBodies, if there is an `increment`
+    double step_x = 0, step_y = 0;  ///< see RollingBodies, if there is an `increment`
     /// Levels of the preconditioner of steady rolling reduce the number of iterations, but each iteration costs more.
     PreconditionerLevels levels = PreconditionerLevels::on_many_elements;
 };

@@ -39,9 +39,9 @@ class InfluenceDivision {
     const InfluenceOperator& influence_;
     const Contact& contact_;
     std::optional<Restriction> box_;
-    std::vector<Contact::Run> runs_;         // of the selected elements, on the box
+    std::vector<Contact::Run> runs_;         // runs of the selected elements, on the box
     Field full_in_, full_out_;               // on the box
-    std::vector<double> weight_, diagonal_;  // of A^-1 and of its substitute, per element
+    std::vector<double> weight_, diagonal_;  // values of A^-1 and of its substitute, per element
     const Linearisation* law_ = nullptr;
     FlowPreconditioner along_flow_;
     Field rows_, rest_;

@@ -31,7 +31,7 @@ class CarriedFriction {
     const FrictionMemory& memory_;
     const std::vector<double> static_;
     double seconds_ = 1;          // of the step
-    std::vector<double> before_;  // of the particles; empty for steady rolling
+    std::vector<double> before_;  // coefficients of the particles; empty for steady rolling
 };
 
 }  // namespace contactd

@@ -27,7 +27,7 @@ class ShiftCompliance final : public Compliance {
     const Contact& contact_;
     const std::vector<double> self_;  // A's diagonal of each element in contact
     const Linearisation* law_ = nullptr;
-    std::vector<double> scale_, diagonal_;  // of the operator's preconditioner and of the diagonal
+    std::vector<double> scale_, diagonal_;  // values of the operator's preconditioner and of the diagonal
     FlowPreconditioner along_flow_;
     Field rows_, full_in_, full_out_;
 };

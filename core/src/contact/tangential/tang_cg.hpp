@@ -91,7 +91,7 @@ class TangCg {
     Field best_p_, best_s_;
     double best_f_ = std::numeric_limits<double>::infinity();
     double slack_ = 1e-12;
-    double error_ = 0;      // of the tractions, estimated, relative
+    double error_ = 0;      // estimated relative error of the tractions
     double drift_ = 0;      // relative change of the tractions that the slip distance does not include
     bool stands_ = true;    // whether the division did not change
     bool released_ = true;  // whether slip elements were checked for adhesion, too

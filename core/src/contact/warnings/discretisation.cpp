@@ -18,7 +18,7 @@ namespace {
 // ellipse, the error of the force is at most 0.7 %, and that of pmax at most 1.3 %.
 constexpr int fewest_elements = 8;
 constexpr double longest_step = 3;      // elements along the rolling direction
-constexpr double longest_part = 0.1;    // of the contact's length there
+constexpr double longest_part = 0.1;    // fraction of the contact's length there
 constexpr double rounding = 1e-9;       // relative, of lengths
 constexpr double certain_error = 1;     // upper limit of the estimates
 constexpr double force_factor = 0.4;    // divided by the square of the elements across minus one

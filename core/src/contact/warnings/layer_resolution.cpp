@@ -17,7 +17,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double noticed_error = 0.01;
-constexpr double lost_factor = 2;  // of the compliance, too large or too small
+constexpr double lost_factor = 2;  // error factor of the compliance, too large or too small
 /// Another warning covers contacts with fewer elements, whose waves are too short for this estimate.
 constexpr double fewest_elements = 8;
 /// Elements add waves to a wave, with m more periods per element. If m exceeds twice the element size over the layer
@@ -115,7 +115,7 @@ double ratio_of(const Bodies& bodies, const PatchSize& contact, double dx, doubl
     }
     if (!(truth > 0)) return 1;
     // Elements carry the mean of a wave, which reduces the deflection of a half-space on any grid, but not that of a
-    // foundation of springs. A ratio between this one and the one corrected for a half-space is no error of layers.
+    // foundation of springs. A ratio between this one and the one corrected for a half-space is not an error of layers.
     const double ratio = seen / truth, without_grid = ratio + (1 - seen_deep / deep);
     return ratio > 1 ? ratio : std::min(without_grid, 1.0);
 }

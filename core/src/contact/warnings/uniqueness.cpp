@@ -11,7 +11,7 @@ namespace {
 
 using Values = std::vector<double>;
 
-constexpr int products = 20;  // of the power iteration, for an error below a tenth
+constexpr int products = 20;  // products of the power iteration, for an error below a tenth
 
 /// Returns a lower bound of the largest compliance to tangential tractions on the elements in contact (mm^3/N), by
 /// power iteration.

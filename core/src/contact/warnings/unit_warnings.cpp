@@ -31,7 +31,7 @@ void warn_of_rigid_slip_that_is_no_creepage(const ContactProblem& problem, Sente
                        "like creepages, not in mm.");
 }
 
-constexpr double largest_strain = 0.1;  // of shear, for linear elasticity
+constexpr double largest_strain = 0.1;  // shear strain, for linear elasticity
 
 /// Warns of pressures that no elastic body carries, which follow from loads, radii and moduli in different units. Thin,
 /// nearly incompressible layers are excluded, because they carry such pressures at small strains.

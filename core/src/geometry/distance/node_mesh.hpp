@@ -37,7 +37,7 @@ class NodeMesh {
     struct Shares {
         double u, v;
     };
-    using Weights = std::array<double, 4>;  // of the nodes -1, 0, 1, 2 of a cell along a direction
+    using Weights = std::array<double, 4>;  // for the nodes -1, 0, 1, 2 of a cell along a direction
 
     Shares inside_cell(double x, double y) const;
     double value(const Shares& at) const;

@@ -26,7 +26,7 @@ class RowNodes {
 
    private:
     Values x_;
-    std::vector<Values> weights_;  // of the nodes, for each element
+    std::vector<Values> weights_;  // weights of the nodes, for each element
 };
 
 }  // namespace contactd::geometry

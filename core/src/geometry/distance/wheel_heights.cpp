@@ -118,7 +118,7 @@ class WheelAbovePlane {
 
     const WheelSurface& wheel_;
     std::vector<Line> lines_;
-    Vector3 along_, across_, normal_, centre_;  // of the contact, in the wheel's coordinates
+    Vector3 along_, across_, normal_, centre_;  // axes of the contact, in the wheel's coordinates
     Span span_;
     double start_ = 0;
 };

@@ -91,15 +91,15 @@ class RailSurface {
     double column_z(int column, double y) const;
 
     std::shared_ptr<const SlicedRail> slices_;
-    double x_ = 0;  // of the origin, along the slices
+    double x_ = 0;  // position of the origin, along the slices
     ProfileCurve profile_;
     Frame frame_;
     double cosine_, sine_;
     Span visible_;
     std::optional<double> radius_, axle_;
-    ProfilePoint inwards_{0, 1};             // of a roller: the direction from its surface to the axle of its surface
+    ProfilePoint inwards_{0, 1};             // for a roller: the direction from its surface to the axle of its surface
     double from_inwards_axle_ = 0;           // distance of the track's origin from that axle, along that direction
-    mutable std::map<int, Column> columns_;  // of slices; each surface belongs to one thread
+    mutable std::map<int, Column> columns_;  // columns of slices; each surface belongs to one thread
 };
 
 }  // namespace contactd::geometry

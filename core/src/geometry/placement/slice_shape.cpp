@@ -160,7 +160,7 @@ class SliceShape {
     std::span<const SlicePoints> slices_;
     std::vector<SlicePoints> slopes_, curvings_;
     std::vector<char> flat_;
-    std::vector<double> along_;  // of slices around the present knot
+    std::vector<double> along_;  // positions of slices around the present knot
     std::vector<DerivativeShares> shares_;
 };
 

@@ -56,7 +56,7 @@ class SlicedRail {
     struct Stretch {
         std::size_t first, last, part;
         SplineAlong along;
-        std::vector<LineAlong> y, z;  // of points from slice to slice
+        std::vector<LineAlong> y, z;  // lines of points from slice to slice
     };
     using Ends = std::vector<double>;  // ends of the parts of a slice, as lengths; negative without the part
 

@@ -27,7 +27,7 @@ WheelSurface::WheelSurface(ProfileCurve profile, const Wheelset& wheelset, const
                 Rotation::yaw_then_roll(position.yaw, position.roll)},
       frame_(deviating(wheelset_, {0, base_y_, radius_}, deviation)),
       out_of_round_(std::move(out_of_round)) {
-    const double cosine = frame_.axes.y.y, sine = -frame_.axes.z.y;  // of the profile's plane, seen along x
+    const double cosine = frame_.axes.y.y, sine = -frame_.axes.z.y;  // axes of the profile's plane, seen along x
     visible_ = visible_span(profile_, [&](const ProfilePoint& point) {
         return frame_.origin.y + cosine * (base_y_ + point.y) - sine * (radius_ + point.z);
     });

@@ -18,7 +18,7 @@ namespace contactd::geometry {
 /// Describes a point of the wheel with the least distance to the rail along the track.
 struct LocusPoint {
     Vector3 at;     ///< in track coordinates
-    Vector3 slope;  ///< of `at`, by s; on a rail that varies along the track as if x were constant for all s nearby
+    Vector3 slope;  ///< derivative of `at` by s; on a rail that varies along the track as if x were constant nearby
 };
 
 /// Describes a point of the lower half, at an x of the wheel's own axes and an s of the profile, by its distance below

@@ -95,7 +95,7 @@ class GapMesh {
     std::optional<NodeMesh> nodes_;
     std::vector<Row> rows_;
     std::vector<double> gaps_;
-    std::vector<double> floors_;  // of squares, by rows of them; infinite for evaluated ones
+    std::vector<double> floors_;  // bounds of squares, by rows of them; infinite for evaluated ones
     Square looked_at_{{static_cast<std::size_t>(-1), static_cast<std::size_t>(-1)},
                       {0, 0}};  // around all evaluated squares
     double least_gap_;

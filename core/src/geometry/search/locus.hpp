@@ -80,7 +80,7 @@ class Locus {
     const Observer& observer_;
     double step_, least_gap_;
     std::vector<LocusRow> rows_;
-    std::vector<double> wheel_s_;  // of rows with both bodies
+    std::vector<double> wheel_s_;  // values of rows with both bodies
     std::vector<double> least_;    // lower bound of the gap in spans of the first pass; infinite for evaluated ones
 };
 

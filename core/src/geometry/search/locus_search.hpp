@@ -33,7 +33,7 @@ class LocusSearch : public OverlapSearch {
     const Observer& observer_;
     Locus locus_;
     Ends ends_;
-    std::optional<EdgesAlong> edges_;  // of slices, created when needed
+    std::optional<EdgesAlong> edges_;  // edges of slices, created when needed
     std::optional<CoarseMesh> mesh_;   // created if there may be edges
 };
 

@@ -20,7 +20,7 @@ inline double principal(double angle) {
 /// Holds the point, normal and curvature at an arc length.
 struct OutlinePlace {
     SectionPoint at;
-    double angle = 0;      ///< of the outward normal, as in a StripFrame, in [-pi, pi]
+    double angle = 0;      ///< angle of the outward normal, as in a StripFrame, in [-pi, pi]
     double curvature = 0;  ///< d angle / d arc length (1/mm): positive where the body is convex
 
     SectionPoint tangent() const { return {std::cos(angle), -std::sin(angle)}; }

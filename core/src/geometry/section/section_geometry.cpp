@@ -12,7 +12,7 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double rounding = 1e-9;  // of a strip: ends may miss a corner by this
+constexpr double rounding = 1e-9;  // rounding of a strip: ends may miss a corner by this
 constexpr int looks = 8;           // evaluations of the curvature of a strip
 
 void check_numbers(int strips, double ds, const std::string& field) {
@@ -126,7 +126,7 @@ class StripCheck {
     const SectionGeometry& section_;
     const ClosedCurve& curve_;
     const std::string field_;
-    const double begin_, end_;  // of all strips, except for rounding
+    const double begin_, end_;  // ends of all strips, except for rounding
 };
 
 /// Describes a field of the section that states where strips begin.

@@ -40,7 +40,7 @@ struct BilinearLoad::EdgeSums {
 };
 
 struct BilinearLoad::Cell {
-    CellMoments c, d;  ///< of the kernels of zz, and of both xx and yy
+    CellMoments c, d;  ///< moments of the kernels of zz, and of both xx and yy
     double Psi = 0;    ///< integral
     double Phi = 0, Phi_x = 0, Phi_y = 0;
 };

@@ -11,7 +11,7 @@ namespace contactd {
 /// every octave, so that Bessel functions are computed once.
 struct Wavenumbers {
     static constexpr std::size_t radii = 24;
-    static constexpr double least = 0x1p-9;  ///< of k p; below it powers of k rho are sufficient
+    static constexpr double least = 0x1p-9;  ///< smallest k p; below it powers of k rho are sufficient
 
     std::array<double, radii> chebyshev;  ///< points of [-1, 1]
     std::array<double, radii> rho;        ///< points of [1, 2]

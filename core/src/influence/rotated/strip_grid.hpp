@@ -10,7 +10,7 @@ namespace contactd {
 struct StripGrid {
     std::span<const StripFrame> frames;
     double ds = 0;         ///< arc length of a strip (mm)
-    double perimeter = 0;  ///< of a smooth closed curve, on which the shorter way round counts (mm); 0: an open one
+    double perimeter = 0;  ///< length of a smooth closed curve, where the shorter way round counts (mm); 0: an open one
     double dx = 0;         ///< length of an element along x (mm)
     int nx = 0;            ///< offsets 0..nx-1 along x
 };

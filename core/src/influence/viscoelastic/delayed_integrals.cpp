@@ -12,7 +12,7 @@ constexpr double smallest_decay = 45;  // over l: exp(-45) is below rounding err
 // Singularities of the kernel are at the edges of the load. If these are at least one and a half panel lengths away,
 // the error of polynomials through a panel's points is 7.9^-points.
 constexpr double smooth_distance = 1.5;
-constexpr int finest_level = 24;            // of halving an element; next to an edge the kernel is bounded
+constexpr int finest_level = 24;            // limit for halving an element; next to an edge the kernel is bounded
 constexpr double growth_beyond = 0.6;       // length of a panel beyond the elements over its distance from the load
 constexpr double longest_piece_over_l = 6;  // largest one for which the rule below is exact
 constexpr int points_of_piece = 32;

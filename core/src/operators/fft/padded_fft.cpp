@@ -10,8 +10,8 @@ namespace contactd {
 
 struct PaddedFft::Workspace {
     std::array<LaneBuffer, 2> spectrum;  // [groups, rows, 2, lanes], one per field
-    std::array<LaneBuffer, 2> column;    // of a group, one per field
-    LaneBuffer row;                      // of as many rows as there are lanes
+    std::array<LaneBuffer, 2> column;    // columns of a group, one per field
+    LaneBuffer row;                      // holds as many rows as there are lanes
     std::thread::id user;                // last thread that used it
 
     explicit Workspace(const Plans& plans) : row(plans.fft->work_size()) {

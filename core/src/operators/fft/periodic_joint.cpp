@@ -5,7 +5,7 @@
 namespace contactd {
 namespace {
 
-constexpr std::size_t most_nodes = 6;  // of either sign: with fewer it is less smooth, and more do not help
+constexpr std::size_t most_nodes = 6;  // nodes of either sign: with fewer it is less smooth, and more do not help
 
 }  // namespace
 

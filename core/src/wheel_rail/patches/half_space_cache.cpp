@@ -11,7 +11,7 @@ namespace contactd {
 namespace {
 
 constexpr std::size_t most_cached = 64;
-constexpr std::size_t most_cached_elements = 400'000;  // of all together, about 100 MB
+constexpr std::size_t most_cached_elements = 400'000;  // limit for all together, about 100 MB
 constexpr int spare = 16;                              // additional offsets of a table
 
 /// Returns a dimensionless table with units, made as in the engine, so that both have the same rounding errors.

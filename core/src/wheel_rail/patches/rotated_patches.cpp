@@ -14,7 +14,7 @@ namespace contactd {
 namespace {
 
 constexpr std::size_t most_sizes = 64;
-constexpr std::size_t most_elements_of_sizes = 100'000;  // of all together, about 50 MB
+constexpr std::size_t most_elements_of_sizes = 100'000;  // limit for all together, about 50 MB
 
 /// Returns operators of adjacent rows of half-spaces with constant loads.
 ContactInfluence flat_influence(const ContactProblem& problem, const Observer& observer) {
@@ -34,7 +34,7 @@ struct RotatedPatches::Kept {
     struct Key {
         MaterialPair bodies;
         int nx, ny;
-        std::array<double, 4> lengths;  ///< of the elements and of the step
+        std::array<double, 4> lengths;  ///< lengths of the elements and of the step
 
         explicit Key(const ContactProblem& problem)
             : bodies(problem.bodies.materials()), nx(problem.grid.nx), ny(problem.grid.ny) {

@@ -11,7 +11,7 @@
 namespace contactd {
 namespace {
 
-constexpr double accuracy = 1e-2;  // of coefficients: the sections hardly affect pressures of conformal contact
+constexpr double accuracy = 1e-2;  // for coefficients: the sections hardly affect pressures of conformal contact
 constexpr int block = 32;          // tables begin and end at multiples of this number of strips
 constexpr int margin = 2;          // additional strips of a table beside a patch
 constexpr int most_stations = 100'000'000;
@@ -90,7 +90,7 @@ class StripCarrier {
     const ProfileSpec& profile_;
     double ds_, zero_;
     int first_ = 0, last_ = 0;  // stations whose strips lie on the profile
-    double depth_ = 0;          // of the cut: half of the profile's width below it
+    double depth_ = 0;          // depth of the cut: half of the profile's width below it
 };
 
 }  // namespace

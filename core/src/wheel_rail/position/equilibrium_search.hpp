@@ -9,7 +9,7 @@ namespace contactd {
 struct EquilibriumTask {
     using Values = std::vector<double>;
 
-    std::function<Values(const Values& x)> residuals;  ///< as many as unknowns; NaN where they are undefined
+    std::function<Values(const Values& x)> residuals;  ///< has as many values as unknowns; NaN where they are undefined
     Values start;
     Values low, high;   ///< bounds of the search
     Values first_step;  ///< longest first step of each unknown, > 0

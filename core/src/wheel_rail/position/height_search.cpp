@@ -226,9 +226,9 @@ class Search {
     double tight() const { return 0.01 * task_.settings.tolerance; }
 
     static constexpr double first_step = 0.02;  // mm
-    static constexpr double loose = 1e-3;       // of the last error, which corrections do not reduce further
+    static constexpr double loose = 1e-3;       // fraction of the last error, which corrections do not reduce further
     static constexpr double runaway = 1e3;
-    static constexpr double noise = 1e-3;  // of forces on other elements
+    static constexpr double noise = 1e-3;  // noise of forces on other elements
     static constexpr std::array probes{-0.5, 0.25,  -1.0,
                                        0.5,  -0.25, -3.0};  // fractions of the way to where the force has moved away
     std::vector<Solved> solved_;

@@ -29,7 +29,7 @@ class AnswerText {
 
     struct Node {
         JsonKind kind = JsonKind::null;
-        std::uint32_t size = 0;  ///< of a text its bytes, of a list its elements, of an object its members
+        std::uint32_t size = 0;  ///< bytes of a text, elements of a list, or members of an object
         std::uint32_t end = 0;   ///< the node after this one and its descendants
         union {
             bool flag;

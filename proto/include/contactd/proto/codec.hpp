@@ -62,7 +62,7 @@ void check_referred_elements(const nlohmann::json& problems, const MessageLimits
 
 /// Holds a result with its frames, or the reason why there is none.
 struct Result {
-    std::shared_ptr<const std::string> text;  ///< of the result, as JSON
+    std::shared_ptr<const std::string> text;  ///< the result, as JSON
     Frames frames;
 };
 using ResultOrStatus = std::variant<Result, Status>;

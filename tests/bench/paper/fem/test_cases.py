@@ -88,5 +88,5 @@ def test_a_value_that_the_preset_has_anyway_makes_no_other_request():
 
 
 def test_a_part_that_is_not_there_is_refused_with_those_that_are():
-    with pytest.raises(ValueError, match="'fig9' is no part of fem; there are fig5"):
+    with pytest.raises(ValueError, match="'fig9' is not a part of fem; the parts are fig5"):
         parts_of(SECTIONS["fem"], "fig5,fig9")

@@ -39,7 +39,7 @@ namespace contactd::client {
 struct ClientOptions {
     std::chrono::milliseconds connect_timeout{5'000};    ///< timeout of the connection to the daemon
     std::chrono::milliseconds timeout{60'000};           ///< of a call
-    std::chrono::milliseconds build_timeout{3'600'000};  ///< of calls that may wait for tables by finite elements
+    std::chrono::milliseconds build_timeout{3'600'000};  ///< for calls that may wait for tables by finite elements
     MessageLimits limits{};                              ///< checked before a message is sent
     /// Files of CURVE keys for an encrypted connection (docs/security.md), or neither: the daemon's public key, and
     /// the secret key of this client, whose public key must be registered with the daemon.

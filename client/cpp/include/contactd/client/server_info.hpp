@@ -18,7 +18,7 @@ namespace contactd::client {
 struct ServerLimits : MessageLimits {
     std::size_t max_grid_elements = 0;      ///< elements of one grid, offsets of one table
     std::int64_t max_queue = 0;             ///< requests that may wait for an answer
-    std::int64_t max_queue_per_client = 0;  ///< of these, requests from one socket
+    std::int64_t max_queue_per_client = 0;  ///< limit for requests from one socket
     std::size_t max_queue_bytes = 0;        ///< bytes of the messages whose requests wait for an answer
     std::int64_t max_sessions = 0;
     std::size_t max_session_bytes = 0;    ///< bytes of all sessions and their saved states together
@@ -72,7 +72,7 @@ struct MetricBucket {
 struct MetricSample {
     std::map<std::string, std::string> labels;  ///< their values by name
     double value = 0;                           ///< of a counter or a gauge
-    std::int64_t count = 0;                     ///< of a histogram: number of observations
+    std::int64_t count = 0;                     ///< number of observations of a histogram
     double sum = 0;                             ///< their sum
     std::vector<MetricBucket> buckets;
 };

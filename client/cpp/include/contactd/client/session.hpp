@@ -75,7 +75,7 @@ class AnySession {
     /// Releases the session for other clients to join, and returns its name. This object no longer ends it.
     std::string release();
 
-    long long step_number() const;  ///< of the last step, 0 before the first
+    long long step_number() const;  ///< number of the last step, 0 before the first
     double lease_seconds() const;   ///< idle time after which it ends
     std::size_t bytes() const;      ///< memory of the daemon when it was opened or joined
 
