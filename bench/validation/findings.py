@@ -184,4 +184,4 @@ def _machine(times: Sequence[Row]) -> str:
     seconds = sum(row["seconds"] for row in times)
     load = sum(row["load"] * row["seconds"] for row in times) / seconds if seconds else 0.0
     presets = ", ".join(sorted({str(row["preset"]) for row in times}))
-    return f"{processors:g} processors, of which other programs used {load:.1f} at the same time, preset {presets}"
+    return f"{processors:g} processors, of which other programs took {load:.1f} meanwhile, preset {presets}"

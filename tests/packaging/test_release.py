@@ -75,7 +75,7 @@ def test_the_signature_of_somebody_else_is_refused(signed, tmp_path):
 
 @needs_ssh
 def test_a_file_of_signers_that_is_not_there_is_not_taken_for_a_wrong_signature(signed, tmp_path):
-    assert problems(signed[0], tmp_path / "nobody")[0].startswith(f"{tmp_path / 'nobody'} is not a file; it must be one of signers")
+    assert problems(signed[0], tmp_path / "nobody")[0].startswith(f"{tmp_path / 'nobody'} is not a file; it must list signers")
     assert problems(tmp_path / "nothing", signed[1]) == [f"{tmp_path / 'nothing'} is not a folder"]
 
 

@@ -5,7 +5,7 @@
 
 namespace contactd {
 
-inline constexpr double kalker_log2_step = 0.5;  // step of log2(a/b) between rows; the first one is at log2(a/b) = -5
+inline constexpr double kalker_log2_step = 0.5;  // between rows, whose first log2(a/b) is -5
 inline constexpr std::array<double, 5> kalker_nu{0.0, 0.125, 0.25, 0.375, 0.5};
 
 // [a/b][nu] of C11, C22, C23, C33; -C32 = C23.
