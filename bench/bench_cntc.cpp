@@ -30,7 +30,7 @@ void set(Handle* handle, const char* path, double value) {
     check(contactd_set(handle, path, value), handle);
 }
 
-/// A step of either library; its argument is the number of the step.
+/// Solves a step of either library; its argument is the number of the step.
 using Step = std::function<void(int)>;
 
 void alternate(benchmark::State& state, const Step& cntc, const Step& plain) {

@@ -84,7 +84,7 @@ std::size_t receive(zmq::socket_t& socket, Frames& frames) {
     return frames.size();
 }
 
-/// A ROUTER that answers each message with given frames, and a DEALER that sends it messages.
+/// Connects a ROUTER that answers each message with given frames, and a DEALER that sends it messages.
 class Echo {
    public:
     Echo(const std::string& endpoint, Frames request, Frames reply) : request_(std::move(request)) {

@@ -40,7 +40,7 @@ double processor_seconds() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-/// Stiffness matrix with rows 3 number[node] + axis; a node without a number was eliminated.
+/// Returns the stiffness matrix with rows 3 number[node] + axis; a node without a number was eliminated.
 struct Stiffness {
     std::vector<int> number;
     Matrix matrix;  ///< both halves

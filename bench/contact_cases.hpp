@@ -113,7 +113,7 @@ struct Cattaneo {
     NormalSolution normal_force() const {
         return solve_normal_force(influence, gap, 9.1954 / grid.element_area(), {}, {}, observer);
     }
-    /// Rigid shift (mm) and rotation (rad).
+    /// Holds the rigid shift (mm) and rotation (rad).
     TangentialSolution tangential(double x = 0.00817, double y = 0, double rotation = 0,
                                   const TangentialSolution& last = {}) const {
         const RigidSlip w = rigid_slip(grid, Shift{{x, y}, rotation});
@@ -121,8 +121,8 @@ struct Cattaneo {
     }
 };
 
-/// Steady rolling of the reference values: semi-axes 6 x 4 mm, 50 kN, window 1.1 times the ellipse's box, mu = 0.3,
-/// creepages 0.002, 0.001 and spin 1e-4 rad/mm, each times a factor.
+/// Holds steady rolling of the reference values: semi-axes 6 x 4 mm, 50 kN, window 1.1 times the ellipse's box, mu =
+/// 0.3, creepages 0.002, 0.001 and spin 1e-4 rad/mm, each times a factor.
 struct Elliptic {
     static constexpr Material steel{82000, 0.28};
     static constexpr double Fn = 50000;

@@ -32,7 +32,7 @@ def answered(socket: zmq.Socket[bytes]) -> tuple[dict[str, Any], float]:
 
 
 class Asker:
-    """One DEALER; `ask` returns the result and the seconds of the round trip."""
+    """Represents one DEALER; `ask` returns the result and the seconds of the round trip."""
 
     def __init__(self, context: zmq.Context[Any], endpoint: str) -> None:
         self.socket = context.socket(zmq.DEALER)

@@ -25,7 +25,7 @@ inline constexpr double static_Fz = 70'000;  // N
 
 enum class Run { hunting, curving };
 
-/// Input of one wheel in a step.
+/// Holds input of one wheel in a step.
 struct WheelStep {
     double y, yaw, roll, y_rate, Fz;
 };

@@ -23,7 +23,7 @@ from session_steps import answered
 
 
 class Asker:
-    """One DEALER; `ask` returns the result, the bytes that were sent and the seconds of the round trip."""
+    """Represents one DEALER; `ask` returns the result, the bytes that were sent and the seconds of the round trip."""
 
     def __init__(self, context: zmq.Context[Any], endpoint: str) -> None:
         self.socket = context.socket(zmq.DEALER)

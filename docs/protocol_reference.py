@@ -27,7 +27,7 @@ class Reference:
         self.schemas: Schema = document["components"]["schemas"]
         methods = {method["name"] for method in document["methods"]}
         messages = {f"{name}.{part}" for name in methods for part in ("params", "result")}
-        #: Objects with fields that several messages share: they have sections of their own.
+        #: Lists objects with fields that several messages share: they have separate sections.
         self.parts = {
             name: schema
             for name, schema in self.schemas.items()

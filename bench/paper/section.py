@@ -48,8 +48,8 @@ class Table:
 
 @dataclass(frozen=True)
 class Section:
-    """A section of the paper. Parts are named after their CSV files. The page is <name>.md, and finished computations
-    are in <name>.jsonl."""
+    """Describes a section of the paper. Parts are named after their CSV files. The page is <name>.md, and finished
+    computations are in <name>.jsonl."""
 
     name: str
     number: int | None  #: those of the paper's section only

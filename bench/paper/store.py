@@ -16,7 +16,7 @@ class StoreInUse(Exception):
 
 
 class ResultStore:
-    """Results by request and version of contactd. The unfinished line of an interrupted run is skipped.
+    """Stores results by request and version of contactd. The unfinished line of an interrupted run is skipped.
 
     `program` distinguishes builds of the same version, for the warning of is_of_another_build.
     """

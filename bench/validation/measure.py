@@ -28,7 +28,7 @@ WORKERS = 2
 
 @dataclass(frozen=True)
 class Computed:
-    """The result of a case. Without numbers it was not computed."""
+    """Holds the result of a case. Without numbers it was not computed."""
 
     case: Case
     status: str

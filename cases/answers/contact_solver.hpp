@@ -29,7 +29,7 @@ class ContactSolver {
     Displacements displacements_on_rail(const ContactProblem& problem, const ContactSolution& solution, bool is_left);
 
    private:
-    /// The inputs that operators depend on, except for the step.
+    /// Holds the inputs that operators depend on, except for the step.
     struct Key {
         int nx, ny;
         double dx, dy;

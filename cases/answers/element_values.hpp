@@ -7,8 +7,8 @@
 
 namespace contactd::cases {
 
-/// Plastic deformation of an interfacial layer that its particles have accumulated since they entered (mm), for each
-/// element, along the tractions on the upper body. Empty without a layer that yields.
+/// Holds plastic deformation of an interfacial layer that its particles have accumulated since they entered (mm), for
+/// each element, along the tractions on the upper body. Empty without a layer that yields.
 struct PlasticSlip {
     std::vector<double> x, y;
 };

@@ -101,7 +101,7 @@ double count_of(const ContactSolution& solution, ElementState state) {
     return static_cast<double>(std::ranges::count(solution.element_division, state));
 }
 
-/// Numbers that contacts of both modules have.
+/// Returns numbers that contacts of both modules have.
 ByName<double> common_numbers(const Solved& solved) {
     const ContactSolution& solution = solved.solution;
     const double adhesion = count_of(solution, ElementState::adhesion), slip = count_of(solution, ElementState::slip);

@@ -9,8 +9,8 @@
 
 namespace contactd::cases {
 
-/// Derivatives of forces with respect to approach and motion, [out][in]. Outputs are Fn, Fx and Fy relative to fstat
-/// Fn, and Mz. Inputs are the approach, the two creepages or shifts, and the spin or rotation. In mm, N, rad.
+/// Holds derivatives of forces with respect to approach and motion, [out][in]. Outputs are Fn, Fx and Fy relative to
+/// fstat Fn, and Mz. Inputs are the approach, the two creepages or shifts, and the spin or rotation. In mm, N, rad.
 using Sensitivities = std::array<std::array<double, 4>, 4>;
 
 struct Solved {

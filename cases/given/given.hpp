@@ -45,14 +45,14 @@ struct Waves {
     std::array<double, 8> b{};
 };
 
-/// The elements that may come into contact: those inside a conic by P1 to P6 (below zero), inside rectangles, or inside
-/// patches that share their displacements.
+/// Selects the elements that may come into contact: those inside a conic by P1 to P6 (below zero), inside rectangles,
+/// or inside patches that share their displacements.
 using Planform = std::variant<std::monostate, Quadratic, std::vector<RegionLimits>, ContactRegions>;
 
-/// The undeformed distance for a grid that is given directly.
+/// Holds the undeformed distance for a grid that is given directly.
 using Distance = std::variant<Quadratic, RoundProfile, Waves, std::vector<double>>;
 
-/// Creepages and spin, or shift and rotation, depending on the digit T of the solve. The numbers are in their own
+/// Holds creepages and spin, or shift and rotation, depending on the digit T of the solve. The numbers are in their own
 /// units.
 struct GivenMotion {
     double vx = 0, vy = 0, phi = 0;
@@ -70,7 +70,7 @@ struct RelativeForce {
     double x = 0, y = 0;
 };
 
-/// Friction as it was given, in mm and s, and as a law of core.
+/// Holds friction as it was given, in mm and s, and as a law of core.
 struct GivenFriction {
     int method = 0;  ///< the law, plus 10 for friction by the rail's angle, 20 for friction along the track, or
                      ///< 30 means friction by rows of elements

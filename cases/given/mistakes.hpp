@@ -1,4 +1,4 @@
-// Values that no case can have.
+// Detects values that no case can have.
 #pragma once
 
 #include <string>

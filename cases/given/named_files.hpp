@@ -20,7 +20,7 @@ class NamedFiles {
     virtual std::string text(const std::string& name, std::uintmax_t most) const = 0;
 };
 
-/// Files on disk. Their names are relative to the folder.
+/// Reads files on disk. Their names are relative to the folder.
 class FilesInFolder : public NamedFiles {
    public:
     explicit FilesInFolder(std::filesystem::path folder) : folder_(std::move(folder)) {}

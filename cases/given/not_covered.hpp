@@ -1,4 +1,4 @@
-// The error for a case that contactd cannot compute.
+// Defines the error for a case that contactd cannot compute.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace contactd::cases {
 
-/// The part of a case that cannot be used.
+/// Names the part of a case that cannot be used.
 enum class Subject { input, file, coefficients, profile, friction, discretisation, tolerance, other };
 
 /// Thrown for a case that is not supported, incomplete or inconsistent. `what()` is a whole sentence.

@@ -1,5 +1,5 @@
-// Systems of units, and the body that forces act on. Internal values are in mm, N, s and rad, and forces act on the
-// upper body, as in core.
+// Defines systems of units, and the body that forces act on. Internal values are in mm, N, s and rad, and forces act on
+// the upper body, as in core.
 #pragma once
 
 namespace contactd::cases {

@@ -37,7 +37,7 @@ double curvature(double radius) {
     return 1 / (2 * radius);
 }
 
-/// The load that determines a Hertzian contact.
+/// Holds the load that determines a Hertzian contact.
 struct Load {
     bool by_force;
     double compliance;  ///< 1/E* (mm^2/N)

@@ -10,7 +10,7 @@
 
 namespace contactd::cases {
 
-/// The Hertzian contact that determines the elements.
+/// Holds the Hertzian contact that determines the elements.
 struct HertzResult {
     double a1 = 0, b1 = 0;  ///< curvatures (1/mm): h = a1 x^2 + b1 y^2
     SemiAxes axes;          ///< (mm); for a line contact, b is half its length along y

@@ -8,7 +8,7 @@
 
 namespace contactd::cases {
 
-/// A solved case, from which the next one may continue.
+/// Holds a solved case, from which the next one may continue.
 struct LastCase {
     const ContactProblem& problem;
     const ContactSolution& solution;

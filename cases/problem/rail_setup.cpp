@@ -17,7 +17,7 @@ enum Force { longitudinal = 1, springs = 3 };
 enum Surfaces { plane = 2, slip_of_surfaces = 3, curved = 4, mesh = 5 };
 constexpr int rotated_half_spaces = 4, of_sheet = 1;
 
-/// The smallest difference (mm) between distances that may be equal in CONTACT, but not here.
+/// Distances (mm) that differ by less than this may be equal in CONTACT, but not here.
 constexpr double near = 1e-6;
 
 double outwards(const Given& settings) {

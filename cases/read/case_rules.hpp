@@ -5,7 +5,7 @@
 
 namespace contactd::contact_files {
 
-/// The cases that keep data from each other: those of a result element, or all cases without one.
+/// Identifies the cases that keep data from each other: those of a result element, or all cases without one.
 struct History {
     ContactCase last;  ///< digits and memory of the last case
     int cases = 0;     ///< number of cases read so far

@@ -18,7 +18,7 @@ struct Word {
     bool is_open = false;  ///< whether the second quotation mark is missing, as after an apostrophe in a remark
 };
 
-/// The number of words that CONTACT reads from a line, and from a line of an array.
+/// Limits the number of words that CONTACT reads from a line, and from a line of an array.
 inline constexpr std::size_t most_words = 20, most_words_of_array = 50;
 
 /// Iterates over the lines that contain words. A line ends after 256 characters, and % begins a comment.

@@ -9,7 +9,7 @@
 
 namespace contactd::contact_files {
 
-/// One part: a group of values, or data that a function reads.
+/// Describes one part: a group of values, or data that a function reads.
 struct Step {
     /// Returns the group in the syntax of read_values, or an empty string if the digits of the case exclude it.
     std::string (*group)(const Reading&) = nullptr;

@@ -1,4 +1,4 @@
-// The steps of basic contact: each one may start from the end of the case before.
+// Computes steps of basic contact: each one may start from the end of the case before.
 #pragma once
 
 #include "answers/solved.hpp"

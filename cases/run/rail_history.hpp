@@ -1,4 +1,4 @@
-// The steps of a wheel on its rail: each one may start from the end of the case before.
+// Computes steps of a wheel on its rail: each one may start from the end of the case before.
 #pragma once
 
 #include <cstddef>

@@ -106,7 +106,7 @@ def _directive(name: str, **options: str) -> str:
     return f"```{{eval-rst}}\n.. {name}\n{lines}```\n"
 
 
-#: What a page that ends with one of these words and names has, and all names that there are.
+#: Maps the words in markers to the parts and the names that must occur on pages.
 PARTS = {"modules": (python, lambda: [*(_exports(_package()).keys() - set(MODULES)), *MODULES]), "headers": (cpp, public_headers)}
 WHOLE = {"docs/reference/c": c, "docs/reference/wire": wire}
 LISTED = re.compile(r"<!-- (modules|headers): ([^>]*) -->\s*\Z")
@@ -148,7 +148,7 @@ def check_that_nothing_is_missing(app: Any, environment: Any, _changed: list[str
         )
 
 
-#: What numpy makes of its ArrayLike.
+#: Lists the types of numpy's ArrayLike.
 ARRAY_LIKE = re.compile(r"(?:~?collections\.abc\.)?Buffer \| [^,]*?_NestedSequence\[bool \|[^\]]*\]")
 
 

@@ -1,4 +1,4 @@
-"""A recipe for Spack: the C libraries, and with +python the Python client. `spack develop` builds it from the sources.
+"""Builds the C libraries with Spack, and with +python the Python client. `spack develop` builds it from the sources.
 For a submission, a version needs the address of the release's archive and its SHA-256. docs/plugged-in.md lists the
 parts that were tested here."""
 # ruff: noqa: F403, F405, RUF012

@@ -24,7 +24,7 @@ JSON_TYPES = {"number": "float", "integer": "int", "boolean": "bool", "string": 
 
 @dataclass(frozen=True)
 class Member:
-    """A field of a dataclass. `default` is code, or None for a required field."""
+    """Describes a field of a dataclass. `default` is code, or None for a required field."""
 
     name: str
     type: str
@@ -41,7 +41,7 @@ class Class:
 
 
 class Collected:
-    """The classes and keywords of a module, each after those that it uses."""
+    """Generates the classes and keywords of a module, each after those that it uses."""
 
     def __init__(self, declarations: Declarations, module: Module) -> None:
         self._resolved = declarations.resolved

@@ -7,9 +7,10 @@ from dataclasses import dataclass, field
 
 @dataclass(frozen=True)
 class Module:
-    """A module of values. `name` is its path. `roots` are pointers to the schemas that it declares, with the classes
-    that these use; for a schema with several classes, the name of the class follows a space. `aliases` are additional
-    names of types. If `is_asked` is true, the module belongs to requests, and its docstrings state ranges."""
+    """Describes a module of values. `name` is its path. `roots` are pointers to the schemas that it declares, with the
+    classes that these use; for a schema with several classes, the name of the class follows a space. `aliases` are
+    additional names of types. If `is_asked` is true, the module belongs to requests, and its docstrings state
+    ranges."""
 
     name: str
     says: str

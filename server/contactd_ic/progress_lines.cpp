@@ -16,7 +16,7 @@ constexpr auto shortest_interval = std::chrono::milliseconds(50);
 /// OpenBLAS does if it gets no memory, is given up after this multiple of the wall-clock time.
 constexpr double least_timeout = 10, timeout_factor = 20, idle_factor = 10;
 
-/// The largest reported fraction of a step that takes longer than expected.
+/// A step that takes longer than expected reports at most this fraction.
 constexpr double nearly = 0.95;
 
 double processor_seconds() {

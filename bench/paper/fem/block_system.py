@@ -20,7 +20,8 @@ Options = Mapping[str, Any]
 
 @dataclass(frozen=True)
 class Mesh:
-    """A quarter block with lengths over h. Boundary attributes are those of core/fem/mesh/block_mesh.hpp."""
+    """Represents a quarter block with lengths over h. Boundary attributes are those of
+    core/fem/mesh/block_mesh.hpp."""
 
     vertices: npt.NDArray[np.float64]  #: shape [vertices, 3]
     elements: list[list[int]]

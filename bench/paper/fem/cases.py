@@ -25,7 +25,7 @@ DEFAULTS: Ics = {"mesh": "hex", "order": 2, "l_over_h": 1, "h_over_hs": 4, "f": 
 
 @dataclass(frozen=True)
 class Case:
-    """One point of a curve. Its largest error is taken over `table` x `table` offsets."""
+    """Describes one point of a curve. Its largest error is taken over `table` x `table` offsets."""
 
     part: str  #: a key of PARTS
     curve: str

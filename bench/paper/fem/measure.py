@@ -24,7 +24,7 @@ _NOT_CONVERGED = 3  # exit status of contactd-ic
 
 
 def measure_with(programs: Path) -> Measure:
-    """The result of a request for a table, of a `solve` of a system, of a `mesh`, or of the comparison with a
+    """Returns the result of a request for a table, of a `solve` of a system, of a `mesh`, or of the comparison with a
     `whole_block`."""
     builder = Builder(programs / "contactd-ic")
 

@@ -21,8 +21,8 @@ NAMES = {FRONT: "front, $x=0$", RIGHT: "right, $y=0$", FREE: "top, $z=0$"}
 
 
 def projected(positions: Array) -> Array:
-    """The isometric view from the octant where x, y and z are positive: x points to the lower left, y to the right, and
-    z up."""
+    """Projects to the isometric view from the octant where x, y and z are positive: x points to the lower left, y to
+    the right, and z up."""
     x, y, z = positions.T
     return np.column_stack([(y - x) * np.sqrt(3) / 2, z - (x + y) / 2])
 

@@ -54,7 +54,7 @@ def groove(rows: Rows) -> Found:
 
 
 def a_load(row: Row) -> float:
-    """Processor seconds of the preconditioner's setup and the iterations; `seconds` are wall-clock time."""
+    """Returns processor seconds of the preconditioner's setup and the iterations; `seconds` are wall-clock time."""
     solving = row["setup_seconds"] + row["solve_seconds"]
     return float(row["seconds"] * solving / (solving + row["assembly_seconds"]) / row["loads"])
 

@@ -84,7 +84,7 @@ def half_angle_of(angles: Array, p: Array) -> float:
 
 
 class Cylinders:
-    """Both bodies, built at their first use."""
+    """Provides both bodies, built at their first use."""
 
     def __init__(self, programs: Path) -> None:
         self._programs = programs

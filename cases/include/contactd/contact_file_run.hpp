@@ -1,4 +1,4 @@
-// Cases of an input file of the CONTACT program after a run: forces, patches and arrays by CONTACT's names.
+// Holds cases of an input file of the CONTACT program after a run: forces, patches and arrays by CONTACT's names.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ struct ContactFileInput {
     std::size_t max_elements = 40'000;
 };
 
-/// The outcome of a case. read: not to be computed (R = 2, 3), or valid if nothing is to be solved. refused: it
+/// Names the outcome of a case. read: not to be computed (R = 2, 3), or valid if nothing is to be solved. refused: it
 /// requires something that contactd does not support, or numbers that it does not accept. failed: the solve ended with
 /// an error. follows: it continues a case that was not computed. wrong: the case, or a file that it names, has an
 /// error.
@@ -84,13 +84,13 @@ struct ContactFileOutcome {
     bool is_solved() const { return solution.index() != 0; }
 };
 
-/// A wheel on its rail as in wheelrail.solve.
+/// Holds a wheel on its rail as in wheelrail.solve.
 struct WheelRailProblem {
     WheelRailSetup setup;
     WheelRailState state;
 };
 
-/// A case as a problem of contactd. Without one, the outcome contains the reason.
+/// Holds a case as a problem of contactd. Without one, the outcome contains the reason.
 struct ContactFileProblem {
     ContactFileOutcome outcome;
     bool continues = false;  ///< whether the case starts from the end of an earlier one, which the problem lacks

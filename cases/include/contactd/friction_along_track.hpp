@@ -6,8 +6,8 @@
 
 namespace contactd {
 
-/// The numbers of a friction law L at a place (mm), in the order of CONTACT's files: FSTAT FKIN (L = 0); FKIN F1 SABSH1
-/// F2 SABSH2 (L = 2, 3, 4); FREF TREF DFHEAT DTHEAT (L = 6). More numbers may follow, such as MEMDST MEM_S0.
+/// Holds the numbers of a friction law L at a place (mm), in the order of CONTACT's files: FSTAT FKIN (L = 0); FKIN F1
+/// SABSH1 F2 SABSH2 (L = 2, 3, 4); FREF TREF DFHEAT DTHEAT (L = 6). More numbers may follow, such as MEMDST MEM_S0.
 struct ContactFrictionAtPlace {
     double place = 0;
     std::vector<double> values;

@@ -20,7 +20,7 @@ inline constexpr std::size_t most_contact_file_bytes = 16 << 20;
 /// Largest number of cases read at once.
 inline constexpr std::size_t most_contact_cases = 100'000;
 
-/// Numbers that several cases may share.
+/// Holds numbers that several cases may share.
 using ContactNumbers = std::shared_ptr<const std::vector<double>>;
 using ContactValue = std::variant<int, double, std::string, ContactNumbers>;
 /// Holds the values of a friction law, preceded by ALPHVF, SVF or IY if friction varies.
@@ -28,8 +28,8 @@ using ContactFrictionSets = std::vector<ByName<double>>;
 /// Holds blocks of points below the surface: ISUBS, and lists by the names of their axes.
 using ContactBlocks = std::vector<ByName<ContactValue>>;
 
-/// One case as in CONTACT: its control digits, and all values in its memory. Names are those of CONTACT; other names
-/// are defined in docs/contact-files.md. Units are CONTACT's: mm, N, s, rad, N/mm^2.
+/// Holds one case as in CONTACT: its control digits, and all values in its memory. Names are those of CONTACT; other
+/// names are defined in docs/contact-files.md. Units are CONTACT's: mm, N, s, rad, N/mm^2.
 struct ContactCase {
     int number = 0;                 ///< number printed by CONTACT, counted from 1 in each result element
     std::size_t line = 0;           ///< line of its first control word, counted from 1

@@ -16,7 +16,7 @@ namespace contactd::client {
 
 using nlohmann::json;
 
-/// The event that a call waits for, which determines its timeout.
+/// Names the event that a call waits for, which determines its timeout.
 enum class Wait { for_answer, for_build };
 
 /// Returns a wait for a build if the solve may need finite-element tables.

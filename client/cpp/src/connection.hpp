@@ -1,4 +1,4 @@
-// One DEALER socket: sends a request, waits for its reply.
+// Uses one DEALER socket: sends a request, and waits for its reply.
 #pragma once
 
 #include <atomic>

@@ -1,4 +1,4 @@
-"""The list of all commands, and how a command is run."""
+"""Lists all commands, and runs a command."""
 
 from __future__ import annotations
 

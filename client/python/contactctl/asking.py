@@ -21,7 +21,7 @@ _LONGEST_WAIT = 1.0  # seconds until the daemon has received the cancellation
 
 
 class OwnBuilds:
-    """The builds that requests start from now on, without those that they join."""
+    """Records the builds that requests start from now on, without those that they join."""
 
     def __init__(self, client: Client) -> None:
         self._client = client

@@ -34,7 +34,7 @@ def _of_environment(name: str) -> str | None:
 
 @dataclass
 class Setting:
-    """Values of the common options; each may also be set by an environment variable."""
+    """Holds values of the common options; each may also be set by an environment variable."""
 
     endpoint: str | None = field(default_factory=lambda: _of_environment("CONTACTD_ENDPOINT"))
     local: bool = False
@@ -90,7 +90,7 @@ class _Helpful(click.Command):
 
 
 class Command(_Helpful, TyperCommand):
-    """A command with the common options; errors become sentences and exit codes."""
+    """Runs a command with the common options; errors become sentences and exit codes."""
 
     def __init__(self, *arguments: Any, **options: Any) -> None:
         super().__init__(*arguments, **options)

@@ -20,7 +20,7 @@ _LOOKS = {
 
 @dataclass(frozen=True)
 class Reading:
-    """Values by metric and labels; for histograms their counts and sums.
+    """Holds values by metric and labels; for histograms their counts and sums.
 
     Attributes:
         at: Time of the reading (s, monotonic).

@@ -19,7 +19,7 @@ __all__ = ["WheelRailModule"]
 
 
 class WheelRailModule(ModuleType):
-    """The callable module `contactd.wheel_rail`."""
+    """Represents the callable module `contactd.wheel_rail`."""
 
     @public
     def __call__(

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the program where it was built, in the folder of libraries where it is installed.
+/// The module lies beside the program where it was built, and in the folder of libraries where it is installed.
 fs::path module_file() {
     constexpr const char* name = "contactd-gmsh.so";
     std::error_code error;
@@ -48,7 +48,7 @@ double side(const PlanePoint& a, const PlanePoint& b, const PlanePoint& point) {
     return (b.y - a.y) * (point.z - a.z) - (b.z - a.z) * (point.y - a.y);
 }
 
-/// An edge of the outline as a chord.
+/// Holds an edge of the outline as a chord.
 struct Chord {
     int first, second;
     PlanePoint a, b;

@@ -23,7 +23,7 @@ struct BuilderCommand {
     std::chrono::seconds longest{0};                       ///< duration of a build; 0: no limit
 };
 
-/// The table that a builder printed because it could not write the output file; otherwise empty.
+/// Holds the table that a builder printed because it could not write the output file; otherwise empty.
 struct BuiltTable {
     std::vector<unsigned char> bytes;  ///< of the IC file
     std::string problem;               ///< why, as a sentence
@@ -35,8 +35,8 @@ class BuilderUnusable : public Error {
     using Error::Error;
 };
 
-/// The builder ran out of memory, or would have. `field()` is the field of the request that demands too much, or empty
-/// if it is unknown.
+/// Reports that the builder ran out of memory, or would have. `field()` is the field of the request that demands too
+/// much, or empty if it is unknown.
 class BuilderOutOfMemory : public Error {
    public:
     BuilderOutOfMemory(const std::string& sentence, std::string field) : Error(sentence), field_(std::move(field)) {}

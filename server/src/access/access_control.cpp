@@ -17,7 +17,7 @@ constexpr const char* zap_domain = "contactd";
 constexpr int accept_backlog = 1024;
 constexpr int keepalive_idle_seconds = 120;
 
-/// Frames of a ZAP request; credentials follow if the mechanism has them.
+/// Lists frames of a ZAP request; credentials follow if the mechanism has them.
 enum Frame : std::size_t { version, request, domain, address, identity, mechanism, credentials };
 
 /// Returns the user of a client without a key, from ZeroMQ's data: the IP address or, over ipc,

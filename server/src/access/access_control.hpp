@@ -11,7 +11,7 @@
 
 namespace contactd::server {
 
-/// The answer to a user with a revoked key.
+/// Answers a user with a revoked key.
 proto::Status key_revoked();
 
 /// Decides on connections by ZeroMQ's authentication protocol (ZAP, RFC 27): with CURVE only holders of allowed keys

@@ -14,7 +14,7 @@
 
 namespace contactd::server {
 
-/// Bounds of sessions; published by server.info.
+/// Holds bounds of sessions; published by server.info.
 struct SessionLimits {
     std::size_t max_sessions;  ///< open at the same time
     std::size_t max_bytes;     ///< for all sessions and their states together
@@ -99,7 +99,7 @@ struct Config {
     } shutdown;
 };
 
-/// The largest number of values of a configuration.
+/// Limits the number of values of a configuration.
 inline constexpr std::size_t max_config_values = 10'000;
 
 /// Reads a configuration. Throws contactd::Error with every problem found, including field, value and valid values.

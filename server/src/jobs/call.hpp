@@ -28,7 +28,7 @@ struct Route {
     std::string user{};            ///< the sender of the request (AccessControl); empty when its key was revoked
 };
 
-/// The number of an open request; 0 for one that is answered immediately.
+/// Numbers an open request; 0 for one that is answered immediately.
 using CallNumber = std::uint64_t;
 
 /// Holds an outgoing answer: frame 0 and its arrays.

@@ -1,4 +1,4 @@
-// Metrics of this process, from Windows.
+// Reads metrics of this process from Windows.
 #define WIN32_LEAN_AND_MEAN
 #define NOMINMAX
 #include <windows.h>

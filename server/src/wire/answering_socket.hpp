@@ -38,7 +38,7 @@ class AnsweringSocket {
     /// Called with every outgoing answer, except progress, under the lock.
     using NoteAnswer = std::function<void(const Answer&)>;
 
-    /// The time for which answers are kept when the socket closes, for slow clients.
+    /// Answers for slow clients are kept for this time when the socket closes.
     static constexpr auto linger = std::chrono::milliseconds(2000);
 
     AnsweringSocket(zmq::context_t& context, const AccessControl& access, const Config& config, NoteAnswer note);

@@ -29,7 +29,7 @@ def read_printed(path: Path) -> str:
 
 
 class CaseFiles:
-    """Files in addition to the .out file. Each is written when its case is complete."""
+    """Writes files in addition to the .out file. Each is written when its case is complete."""
 
     def __init__(self, place: Path) -> None:
         self._place = place

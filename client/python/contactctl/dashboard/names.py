@@ -12,8 +12,8 @@ _ADDRESSES = ("127.0.0.1", "[::1]")
 
 
 class Names:
-    """Valid values of Host, such as ``127.0.0.1:5580``. A name that others can point at this machine must be given
-    explicitly.
+    """Lists valid values of Host, such as ``127.0.0.1:5580``. A name that others can point at this machine must be
+    given explicitly.
     """
 
     def __init__(self, address: str, port: int, others: Sequence[str] = ()) -> None:

@@ -18,7 +18,7 @@ T = TypeVar("T")
 
 
 class Panel:
-    """A part of the page. It is created once with the layout, and then shows one view after the other."""
+    """Represents a part of the page. It is created once with the layout, and then shows one view after the other."""
 
     def __init__(self, watcher: Watcher) -> None:
         self.watcher = watcher

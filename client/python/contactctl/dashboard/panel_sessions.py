@@ -16,7 +16,7 @@ _COLUMNS = (column("age", "open for"), column("idle", "idle for"), column("lease
 
 
 class SessionsPanel(Panel):
-    """One line per session. Names are keys to sessions and are not shown."""
+    """Shows one line per session. Names are keys to sessions and are not shown."""
 
     def __init__(self, watcher: Watcher) -> None:
         super().__init__(watcher)

@@ -34,7 +34,7 @@ class Sample:
 
 @dataclass(frozen=True)
 class View:
-    """Results of an update. If the daemon does not answer, it has those of the last answer.
+    """Holds results of an update. If the daemon does not answer, it has those of the last answer.
 
     Attributes:
         state: "connecting", "serving", "stopping", or "away" (no answer).

@@ -29,7 +29,7 @@ _SYNC = 1.0  # largest loss at a power failure, in seconds of work
 
 
 class Journal:
-    """The finished rows by their keys. Only one thread of one process may use it at a time.
+    """Holds the finished rows by their keys. Only one thread of one process may use it at a time.
 
     Attributes:
         rows: Rows in the order of completion; each has a `key`.

@@ -24,7 +24,7 @@ Rows = dict[str, dict[str, Any]]  #: Rows by their keys.
 
 @dataclass(frozen=True)
 class Share:
-    """Every `count`-th case from the `index`-th on, so that shares have similar amounts of work."""
+    """Selects every `count`-th case from the `index`-th on, so that shares have similar amounts of work."""
 
     index: int
     count: int

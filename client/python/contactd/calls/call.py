@@ -60,7 +60,7 @@ class Waits:
     """Runs calls in the calling thread."""
 
     def _carry_out(self, asked: Request | Pause) -> Any:
-        """The Reply to a Request; None after a Pause."""
+        """Returns the Reply to a Request; None after a Pause."""
         raise NotImplementedError
 
     def _run(self, steps: Answering[T]) -> T:
@@ -88,7 +88,7 @@ class Awaits:
     """Runs calls in an event loop."""
 
     async def _carry_out(self, asked: Request | Pause) -> Any:
-        """The Reply to a Request; None after a Pause."""
+        """Returns the Reply to a Request; None after a Pause."""
         raise NotImplementedError
 
     async def _run(self, steps: Answering[T]) -> T:

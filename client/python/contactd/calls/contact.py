@@ -33,7 +33,7 @@ __all__ = ["ContactCalls", "solved", "solved_many"]
 
 
 class ContactCalls(Caller):
-    """The methods contact.* of the daemon whose answers have one type."""
+    """Calls the methods contact.* of the daemon whose answers have one type."""
 
     @asks
     def subsurface(

@@ -154,7 +154,7 @@ class AnyContactSession(AnySession):
 
 
 class Session(AnyContactSession, SessionThatWaits):
-    """The steps of a simulation, each starting from the end of the previous one.
+    """Solves the steps of a simulation, each starting from the end of the previous one.
 
     ::
 

@@ -16,7 +16,7 @@ __all__ = ["ServerCalls"]
 
 
 class ServerCalls(Caller):
-    """The methods server.*, health.*, job.* and solves.* of the daemon."""
+    """Calls the methods server.*, health.*, job.* and solves.* of the daemon."""
 
     @asks
     def info(self, *, timeout: float | None = None) -> Answering[ServerInfo]:

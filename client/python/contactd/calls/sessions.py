@@ -30,7 +30,7 @@ W = TypeVar("W")  #: A session of a wheel on its rail, blocking or asyncio.
 
 
 class SessionCalls(Caller, Generic[S, W]):
-    """The methods session.* of the daemon. Sessions are blocking or asyncio like their client."""
+    """Calls the methods session.* of the daemon. Sessions are blocking or asyncio like their client."""
 
     _session_kind: Callable[[Caller, str, dict[str, Any], Grid, bool], S]
     _wheel_rail_session_kind: Callable[[Caller, str, dict[str, Any], Side, bool], W]

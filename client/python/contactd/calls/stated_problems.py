@@ -30,7 +30,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Stated:
-    """A problem, and whether its grid was chosen here."""
+    """Holds a problem, and whether its grid was chosen here."""
 
     problem: ContactProblem
     is_grid_chosen: bool

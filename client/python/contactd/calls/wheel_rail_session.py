@@ -99,7 +99,7 @@ class AnyWheelRailSession(AnySession):
 
 
 class WheelRailSession(AnyWheelRailSession, SessionThatWaits):
-    """The steps of a simulation of a wheel on its rail.
+    """Solves the steps of a simulation of a wheel on its rail.
 
     ::
 

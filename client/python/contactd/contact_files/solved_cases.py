@@ -47,7 +47,8 @@ class ComparedCase:
 
 @dataclass(frozen=True, eq=False)
 class CaseComparison(Sequence[ComparedCase]):
-    """All cases and the printed ones, in the order of the input file. As text, it has a line for each difference.
+    """Compares all cases and the printed ones, in the order of the input file. As text, it has a line for each
+    difference.
 
     Attributes:
         cases: The cases.

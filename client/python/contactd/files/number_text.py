@@ -94,7 +94,7 @@ def _problem_of(line: str, between: str) -> str:
 
 
 class _Style:
-    """The number format of a text, as far as its lines determine it."""
+    """Describes the number format of a text, as far as its lines determine it."""
 
     def __init__(self) -> None:
         self._has_decimal_commas = False

@@ -68,7 +68,7 @@ def milliseconds(remaining: float) -> int:
 
 
 class Connection:
-    """A socket for one exchange at a time; during the exchange it belongs to one thread.
+    """Represents a socket for one exchange at a time; during the exchange it belongs to one thread.
 
     The socket stays usable after a timeout: a late answer is recognised by its ID and dropped. An abandoned request is
     cancelled in the daemon.

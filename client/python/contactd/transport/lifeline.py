@@ -23,7 +23,7 @@ is_there "$@" && kill -KILL "$1"
 
 
 class Lifeline:
-    """A shell that waits for the end of a pipe held by this process, and then stops the daemon.
+    """Represents a shell that waits for the end of a pipe held by this process, and then stops the daemon.
 
     The kernel closes the pipe however this process ends. (PR_SET_PDEATHSIG would stop the daemon with the thread that
     started it.) Forked processes close the pipe immediately, so they cannot keep the daemon alive.

@@ -41,7 +41,7 @@ _WRITER = json.JSONEncoder(allow_nan=False, separators=(",", ":"))
 
 @dataclass(frozen=True)
 class Request:
-    """A request to the daemon, and the time to wait for its answer.
+    """Holds a request to the daemon, and the time to wait for its answer.
 
     Attributes:
         envelope: JSON, in which arrays are references to frames.

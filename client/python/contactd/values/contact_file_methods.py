@@ -11,7 +11,7 @@ C = TypeVar("C")
 
 
 class ContactFileMethods(Generic[C]):
-    """Methods of a ContactFile: a sequence of its cases."""
+    """Implements methods of a ContactFile: a sequence of its cases."""
 
     def __iter__(self: Any) -> Iterator[C]:
         return iter(self.cases)

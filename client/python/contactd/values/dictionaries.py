@@ -79,7 +79,7 @@ def _kinds() -> dict[str, Any]:
 
 
 class HasDict:
-    """A value that can be converted to a dictionary."""
+    """Represents a value that can be converted to a dictionary."""
 
     def to_dict(self) -> dict[str, Any]:
         """Returns the fields by name, with "type", the name of the class; nested values are converted, too. Omits
@@ -95,7 +95,7 @@ V = TypeVar("V", bound="Saved")
 
 
 class Saved(HasDict):
-    """A value that can be saved in files."""
+    """Represents a value that can be saved in files."""
 
     @public
     def save(self, path: str | os.PathLike[str]) -> None:

@@ -210,7 +210,7 @@ def instead(changes: Mapping[str, Any], *either: str) -> dict[str, Any]:
 
 
 class HasParams:
-    """A value that users can convert to its form on the wire."""
+    """Represents a value that users can convert to its form on the wire."""
 
     def params(self) -> dict[str, Any]:
         """Returns the parameters of contact.solve for this value."""
@@ -219,7 +219,7 @@ class HasParams:
 
 
 class Checked:
-    """A value that checks its fields on construction."""
+    """Represents a value that checks its fields on construction."""
 
     def __post_init__(self) -> None:
         check_fields(type(self), vars(self))

@@ -19,7 +19,7 @@ def number(value: object) -> str:
 
 
 class Shown:
-    """A value with a representation: `_title` is its type, `_rows` are names and values."""
+    """Represents a value with a representation: `_title` is its type, `_rows` are names and values."""
 
     def _title(self) -> str:
         return type(self).__name__

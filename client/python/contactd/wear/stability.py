@@ -42,8 +42,8 @@ class LoadedRows:
 
 
 class Stiffness:
-    """The relative reduction of a groove in a step of unit depth, by its wavelength: pi E* times the mean of 1/(L pm)
-    over contacts, weighted with their wear.
+    """Computes the relative reduction of a groove in a step of unit depth, by its wavelength: pi E* times the mean of
+    1/(L pm) over contacts, weighted with their wear.
     """
 
     def __init__(self, contacts: Sequence[LoadedRows], modulus: float) -> None:

@@ -13,7 +13,8 @@ _X, _W = np.polynomial.legendre.leggauss(8)
 
 @dataclass(frozen=True)
 class Line:
-    """Straight ahead, then into a curve to the right. Curvature and cant grow along the transition by 3 u^2 - 2 u^3.
+    """Goes straight ahead, then into a curve to the right. Curvature and cant grow along the transition by 3 u^2 - 2
+    u^3.
 
     The middle between the rails is at z = 0. All values are functions of the arc length s.
 

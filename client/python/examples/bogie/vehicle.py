@@ -56,7 +56,7 @@ class Spring:
 
 @dataclass(frozen=True)
 class Vehicle:
-    """Bodies and springs; the first bodies are the wheelsets, from the front.
+    """Holds bodies and springs; the first bodies are the wheelsets, from the front.
 
     Attributes:
         bodies: All of them.

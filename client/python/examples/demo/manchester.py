@@ -24,8 +24,8 @@ YAW = 0.0024  # rad for each mm
 
 @dataclass(frozen=True)
 class Known:
-    """Printed results: height of the wheelset (mm), forces on the rail in track coordinates (N), position of the
-    contact (mm), its angle (rad), normal force (N), largest pressure (N/mm^2).
+    """Holds the printed results: height of the wheelset (mm), forces on the rail in track coordinates (N), position of
+    the contact (mm), its angle (rad), normal force (N), largest pressure (N/mm^2).
     """
 
     z: float

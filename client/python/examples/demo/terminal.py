@@ -61,7 +61,7 @@ def verdict(passed: bool, text: str) -> None:
 
 
 class ProgressBar:
-    """A callback for the client: one line that is redrawn; without a terminal, a line for each new stage."""
+    """Provides a callback for the client: one line that is redrawn; without a terminal, a line for each new stage."""
 
     def __init__(self) -> None:
         self._stage = ""

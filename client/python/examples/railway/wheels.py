@@ -53,7 +53,8 @@ class OnWheelset(NamedTuple):
 
 
 class Wheels(Protocol):
-    """The interface between a vehicle and its contacts: returns forces for the states of all wheels, in a fixed order.
+    """Defines the interface between a vehicle and its contacts: returns forces for the states of all wheels, in a
+    fixed order.
 
     Steady rolling has no history, so an integrator may evaluate any state at any time, any number of times. Raises
     InvalidArgument if a wheel is outside the range of elastic contact, off its rail.
@@ -63,8 +64,8 @@ class Wheels(Protocol):
 
 
 class SessionWheels:
-    """A session for each wheel; all are stepped in one message. The client may be that of contactd.local() or of a
-    daemon.
+    """Uses a session for each wheel; all are stepped in one message. The client may be that of contactd.local() or of
+    a daemon.
     """
 
     def __init__(self, client: Client, setups: Sequence[WheelRailSetup]) -> None:

@@ -46,7 +46,7 @@ class WheelRailContact:
 
 @dataclass(frozen=True)
 class LinearContact:
-    """Wheels whose radius and normal force are linear in the position, and whose creep forces are linear in the
+    """Models wheels whose radius and normal force are linear in the position, and whose creep forces are linear in the
     creepages, as in textbooks: no flanges, no slip. The ellipse grows with the normal force by Hertz's theory.
 
     Attributes:

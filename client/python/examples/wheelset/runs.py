@@ -28,8 +28,8 @@ OFF_TRACK = 15.0  # mm: a flange is on top of its rail
 
 @dataclass(frozen=True)
 class Run:
-    """One simulation: y of the wheelset (mm) against time (s), the speed (m/s), the number of solves, the computing
-    time (s), and whether it ended with a derailment.
+    """Holds one simulation: y of the wheelset (mm) against time (s), the speed (m/s), the number of solves, the
+    computing time (s), and whether it ended with a derailment.
     """
 
     contact: str

@@ -5,7 +5,7 @@
 
 namespace contactd::fem {
 
-/// Measurements on rails, edges, grooves and layers showed that these are sufficient (docs/sections.md).
+/// Measurements on rails, edges, grooves and layers showed that these values are sufficient (docs/sections.md).
 struct SpectrumLevel {
     int order, edges_a_strip, nodes;
     double corner_share;

@@ -25,7 +25,8 @@ constexpr double force_factor = 0.4;    // divided by the square of the elements
 constexpr double pmax_factor = 0.8;     // divided by the same square
 constexpr double rolling_factor = 0.8;  // times dq and the element size, relative to the size of the contact
 
-/// Number of elements in the longest unbroken row and column: the size of one contact, even if there are several.
+/// Holds the number of elements in the longest unbroken row and column: the size of one contact, even if there are
+/// several.
 struct ContactSize {
     int along_x = 0, along_y = 0;
 };

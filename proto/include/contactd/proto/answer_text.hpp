@@ -18,7 +18,7 @@ enum class JsonKind : std::uint8_t { null, boolean, integer, number, text, list,
 
 class AnswerValue;
 
-/// A JSON document. Values refer to its text, which must outlive it.
+/// Holds a JSON document. Values refer to its text, which must outlive it.
 class AnswerText {
    public:
     /// Returns null if `text` is not JSON: invalid syntax or UTF-8, a number beyond double, more than 256 nested
@@ -47,7 +47,7 @@ class AnswerText {
     std::vector<std::unique_ptr<std::string>> unescaped_;
 };
 
-/// A value of a document, which must outlive it.
+/// Refers to a value of a document, which must outlive it.
 class AnswerValue {
    public:
     explicit AnswerValue(const AnswerText::Node* node, const AnswerText::Node* first) : node_(node), first_(first) {}

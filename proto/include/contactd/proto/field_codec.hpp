@@ -17,7 +17,7 @@
 
 namespace contactd::proto {
 
-/// The path of a value, as a list from the inside out; its text is only created for an error.
+/// Holds the path of a value, as a list from the inside out; its text is only created for an error.
 class MemberPath {
    public:
     explicit MemberPath(std::string_view name) : name_(name) {}
@@ -44,7 +44,7 @@ struct Reading {
     const Grid* grid = nullptr;
 };
 
-/// The form on the wire of values of one type. Values for which `write` returns discarded are omitted. Without
+/// Defines the form on the wire of values of one type. Values for which `write` returns discarded are omitted. Without
 /// functions, a field of this type is skipped, because its message depends on more than its value. Without one of them,
 /// its fields are used.
 struct FieldHook {

@@ -1,4 +1,4 @@
-// The bytes of an array that follows an envelope.
+// Holds the bytes of an array that follows an envelope.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// Parts of a table of influence coefficients, in which large tables are requested.
+// Describes parts of a table of influence coefficients, in which large tables are requested.
 #pragma once
 
 #include <cstddef>

@@ -38,7 +38,7 @@ enum class ArrayEncoding { frame, list };
 /// Priority of a request; higher ones are first.
 enum class Priority { high, normal, low };
 
-/// A request after its envelope has been checked. `params` is checked against the method's schema separately.
+/// Holds a request after its envelope has been checked. `params` is checked against the method's schema separately.
 struct Request {
     std::string id;
     std::string method;

@@ -115,9 +115,9 @@ class Session : public AnySession {
     explicit Session(std::unique_ptr<Impl> impl);
 };
 
-/// The session of a wheel on its rail. Its profiles are sent and read once, and its operators are kept. Steady rolling
-/// has no history: a step returns the result of Client::wheel_rail within the tolerances, but its searches and solvers
-/// start from the previous step.
+/// Represents the session of a wheel on its rail. Its profiles are sent and read once, and its operators are kept.
+/// Steady rolling has no history: a step returns the result of Client::wheel_rail within the tolerances, but its
+/// searches and solvers start from the previous step.
 class WheelRailSession : public AnySession {
    public:
     /// Opens a session. `client` must outlive it. Also throws InvalidArgument naming the field, such as
