@@ -135,7 +135,7 @@ struct RecentSolve {
     std::string id;              ///< of the request
     double at = 0;               ///< when it ended (s since 1970)
     double seconds = 0;          ///< time from its start to its end
-    std::optional<Grid> grid{};  ///< model of a contact; empty for wheels on rails
+    std::optional<Grid> grid{};  ///< grid of a contact; empty for wheels on rails
     std::int64_t elements = 0;   ///< elements of its grid; for wheels on rails of all patches
     std::int64_t patches = 0;    ///< number of grids: one, or for wheels on rails one per place of contact
     bool converged = false;      ///< whether every solver reached its tolerance
