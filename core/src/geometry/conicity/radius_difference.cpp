@@ -12,8 +12,10 @@ namespace contactd::geometry {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int turn = 3600;                                // points of a turn
-constexpr double first_step = 0.1, smallest_step = 1e-3;  // mm
+constexpr int turn = 3600;          // points of a turn
+constexpr double first_step = 0.1;  // mm
+// A leap of the contact becomes a ramp of this width (mm), which decides the motion just beyond the leap.
+constexpr double smallest_step = 1e-5;
 
 }  // namespace
 

@@ -18,7 +18,7 @@ struct Reach {
 class RadiusDifference {
    public:
     /// The function is linear between samples that are so close that half-way between two it differs from their mean by
-    /// at most `tolerance`; at jumps, they are a micrometre apart.
+    /// at most `tolerance`; at jumps, they are 1e-5 mm apart or less.
     RadiusDifference(Reach reach, double tolerance, std::function<double(double)> difference);
     /// Extends the range to the larger reach on each side.
     void extend(Reach reach);

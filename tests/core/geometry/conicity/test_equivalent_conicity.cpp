@@ -91,6 +91,20 @@ TEST_CASE("the energy integral gives the wavelength of the motion integrated ste
                WithinRel(0.05 + 0.01 * 0.75 * 9, 1e-4));
 }
 
+TEST_CASE("just beyond a leap, the motion is that of its closed form", "[conicity]") {
+    // The wheel H on the rail A of EN 15302 has nearly this difference: k y, and h more beyond the shift s.
+    const double k = 0.05, h = 2.254, s = 2.49847;
+    const auto leap = [&](double y) { return k * y + (y > s ? h : y < -s ? -h : 0); };
+    const geometry::RadiusDifference difference({-6, 6}, 1e-4, leap);
+    for (const double beyond : {0.0015, 0.1, 1.0}) {
+        const double amplitude = s + beyond;
+        const double before = std::asin(s / std::sqrt(amplitude * amplitude + 2 * h * beyond / k)),
+                     behind = pi / 2 - std::asin((s + h / k) / (amplitude + h / k));
+        CHECK_THAT(difference.half_swing(amplitude), WithinRel(2 / std::sqrt(k) * (before + behind), 1e-4));
+    }
+    CHECK_THAT(difference.half_swing(2.49), WithinRel(pi / std::sqrt(k), 1e-4));
+}
+
 TEST_CASE("a motion around another middle is that around zero", "[conicity]") {
     const auto cubic = [](double y) { return 0.1 * y + 0.02 * y * y * y; };
     const geometry::RadiusDifference centred({-6, 6}, 1e-4, cubic),
