@@ -16,6 +16,7 @@ from .commands import (
     bench,
     compare,
     completion,
+    conform,
     contact,
     dashboard,
     fit,
@@ -47,7 +48,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-for family in (info, tables, solve, wheelrail, profile, contact, compare, fit, session, jobs, watch, bench, dashboard, keys, study, wear, completion):
+for family in (info, tables, solve, wheelrail, profile, conform, contact, compare, fit, session, jobs, watch, bench, dashboard, keys, study, wear, completion):
     family.add_to(app)
 
 

@@ -32,7 +32,7 @@ class Code(IntEnum):
     """The result of a command."""
 
     DONE = 0
-    DEFECT = 1  #: An unexpected error: a full disk, or a defect.
+    DEFECT = 1  #: An unexpected error: a full disk, or a defect. For `conform`: values outside their limits.
     USAGE = 2  #: The command line, or a named file, is invalid.
     CONNECTION = 3  #: No daemon answers, or it is stopping, or does not accept the key.
     REFUSED = 4  #: The daemon refuses the request.

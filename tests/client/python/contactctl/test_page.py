@@ -43,7 +43,7 @@ def folder(own):
     program.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -m contactctl "$@"\n')
     program.chmod(0o755)
     own.environment["PATH"] = f"{program.parent}:{own.environment['PATH']}"
-    assert len(files) == 10
+    assert len(files) == 11
     return own
 
 

@@ -38,6 +38,7 @@ COMMANDS = [
     "contact run case.inp",
     "contact check case.inp",
     "profile show head.txt",
+    "conform en15302 --own",
 ]
 
 
