@@ -4,8 +4,10 @@
 #include <numbers>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "contactd/error.hpp"
+#include "contactd/fields/profile_spec.hpp"
 #include "number_text.hpp"
 
 namespace contactd {
@@ -29,11 +31,30 @@ void check_slope(double slope, const std::string& name) {
 
 void check(const S1002&) {}
 
+void check_inclination(double inclination, const std::string& of) {
+    if (!(std::abs(inclination) <= most_inclination))
+        throw InvalidArgument(of + ".inclination", "is " + number_text(inclination) +
+                                                       "; it must be a slope between -0.2 and 0.2, such as 0.025");
+}
+
 void check(const Rail60E1& rail) {
-    if (!(std::abs(rail.inclination) <= most_inclination))
-        throw InvalidArgument(
-            "profile.rail_60e1.inclination",
-            "is " + number_text(rail.inclination) + "; it must be a slope between -0.2 and 0.2, such as 0.025");
+    check_inclination(rail.inclination, "profile.rail_60e1");
+}
+
+void check(const StandardProfile& profile) {
+    check_inclination(profile.inclination, "profile.standard");
+    if (profile.name == StandardName::S1002 && profile.inclination != 0)
+        throw InvalidArgument("profile.standard.inclination",
+                              "is " + number_text(profile.inclination) + ", but S1002 is a wheel; remove it");
+}
+
+/// Checks that the name is that of a wheel or of a rail, as needed.
+void check_kind(const StandardProfile& profile, ProfileKind kind) {
+    const bool is_wheel = profile.name == StandardName::S1002;
+    if (is_wheel != (kind == ProfileKind::wheel))
+        throw InvalidArgument("profile.standard.name",
+                              "is " + std::string(name_of(profile.name)) + ", which is a " +
+                                  (is_wheel ? "wheel; give the name of a rail" : "rail; give the name of a wheel"));
 }
 
 void check(const ArcProfile& arc) {
@@ -120,6 +141,7 @@ void check(const ProfileFile& file) {
 
 void validate(const ProfileSpec& spec) {
     std::visit([](const auto& shape) { check(shape); }, spec.shape);
+    if (const auto* standard = std::get_if<StandardProfile>(&spec.shape)) check_kind(*standard, spec.kind);
 }
 
 }  // namespace contactd

@@ -58,13 +58,18 @@ def _header(header: str, used: list[str], enums: list[Enum], structs: list[Struc
         words = ", ".join(f'"{word}"' for word in enum.keywords)
         lines += ["template <>", f"inline constexpr auto enum_words<{enum.name}> = std::to_array<std::string_view>({{{words}}});"]
         for value, word in enumerate(enum.keywords):
-            lines.append(f"static_assert(static_cast<int>({enum.name}::{RESERVED.get(word, word)}) == {value});")
+            lines.append(f"static_assert(static_cast<int>({enum.name}::{_enumerator(word)}) == {value});")
         lines.append("")
     for struct in structs:
         if _is_view(struct):
             lines += [f"/// Fields that are members of {' and of '.join(struct.owners)}.", f"template <class Owner>\nstruct {struct.name};"]
         lines += [f"template <>\nconst FieldType& type_of<{key}>();" for _, key in _owners(struct)]
     return "\n".join([*lines, "\n}  // namespace contactd\n"])
+
+
+def _enumerator(word: str) -> str:
+    """Returns the name of the enumerator with this word. A word that begins with a digit gets an n."""
+    return f"n{word}" if word[0].isdigit() else RESERVED.get(word, word)
 
 
 def _is_view(struct: Struct) -> bool:

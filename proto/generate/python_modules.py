@@ -62,10 +62,11 @@ MODULES = [
             "definitions.json#/definitions/profile/properties/rail_60e1",
             "definitions.json#/definitions/profile/properties/arc",
             "definitions.json#/definitions/profile/properties/cone",
+            "definitions.json#/definitions/profile/properties/standard",
             "definitions.json#/definitions/profile",
             "definitions.json#/definitions/profile/properties/file",
         ),
-        {"Profile": "S1002 | Rail60E1 | ArcProfile | ConeProfile | ProfilePoints | ProfileFile"},
+        {"Profile": "S1002 | Rail60E1 | ArcProfile | ConeProfile | StandardProfile | ProfilePoints | ProfileFile"},
         is_asked=True,
     ),
     Module(

@@ -200,7 +200,7 @@ TEST_CASE("The solution of a wheelset comes back exactly", "[codec]") {
 TEST_CASE("Each profile arrives as it was sent", "[codec]") {
     const ProfileShape shape =
         GENERATE(ProfileShape(S1002{}), ProfileShape(Rail60E1{0.05}), ProfileShape(ArcProfile{-300, 0.1, -20, 21}),
-                 ProfileShape(ConeProfile{0.025, -7, 8}));
+                 ProfileShape(ConeProfile{0.025, -7, 8}), ProfileShape(StandardProfile{StandardName::n54E1, 0.05}));
     WheelRailSetup setup;
     setup.wheel.shape = shape;
     ArrayWriter arrays(ArrayEncoding::frame);

@@ -620,11 +620,11 @@ CONTACTD_API int32_t contactd_forget(contactd_handle handle, int32_t state);
  *
  * Profiles are those of a right side, also for left wheels: y to the field side, z down. Setting a field of a shape
  * selects that shape: "setup.wheel.s1002" (1), "setup.rail.rail_60e1.inclination", "setup.rail.arc.radius", .slope and
- * .ends (from y to y), "setup.wheel.cone.slope" and .ends, or "setup.rail.points" with .smoothing_length, .unit,
- * .mirror_y and .mirror_z. Each slice has a profile: "setup.wheel_slices[0].angle",
- * "setup.wheel_slices[0].profile.points". Bodies are elastic or rigid: "setup.bodies.upper.G" and .nu, or .rigid (1),
- * for the rail; lower for the wheel. "setup.friction.mu" may be a single number. Bounds of the numbers of profiles and
- * bodies are checked in the solve. */
+ * .ends (from y to y), "setup.wheel.cone.slope" and .ends, "setup.rail.standard.name" ("54E1") and .inclination, or
+ * "setup.rail.points" with .smoothing_length, .unit, .mirror_y and .mirror_z. Each slice has a profile:
+ * "setup.wheel_slices[0].angle", "setup.wheel_slices[0].profile.points". Bodies are elastic or rigid:
+ * "setup.bodies.upper.G" and .nu, or .rigid (1), for the rail; lower for the wheel. "setup.friction.mu" may be a single
+ * number. Bounds of the numbers of profiles and bodies are checked in the solve. */
 
 /**
  * @brief Creates a wheel.

@@ -1,5 +1,7 @@
 #include "set_up.hpp"
 
+#include <algorithm>
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -13,6 +15,9 @@ namespace {
 consteval std::size_t at(std::string_view name) {
     return reference_of(wheel_variables, name);
 }
+
+/// Rails by name, beside 60E1, which is the shape rail_60e1.
+constexpr std::array<std::string_view, 5> named_rails{"UIC60", "49E5", "54E1", "54E3", "60E2"};
 
 /// Holds positions of a body and its profile in the list, and their paths in contactd.h.
 struct BodyPlaces {
@@ -39,7 +44,7 @@ void set_file(contactd_wheel* w, const Values& values, const BodyPlaces& of, con
     if (!path)
         throw Failure(std::string(wheel_variables[of.profile].name) + " is \"" + name + "\"; " +
                       (resources / path_of(name)).string() + " is not a file. It must be " +
-                      (of.profile == wheel.profile ? "S1002" : "60E1") +
+                      (of.profile == wheel.profile ? "S1002" : "60E1, another rail by name") +
                       ", cone, arc, a path from / on, a URI file:///..., or a file in the FMU's resources.");
     set_profile_file(w, std::string(of.profile_path), *path, reading_of(values, of));
 }
@@ -57,6 +62,10 @@ void set_profile(contactd_wheel* w, const Values& values, const BodyPlaces& of,
         set_field(w, profile + ".s1002", 1);
     } else if (name == "60e1" && of.profile == rail.profile) {
         set_field(w, profile + ".rail_60e1.inclination", values[at("rail.inclination")]);
+    } else if (const auto named = std::ranges::find(named_rails, name, lowercase_name);
+               named != named_rails.end() && of.profile == rail.profile) {
+        set_keyword(w, profile + ".standard.name", *named);
+        set_field(w, profile + ".standard.inclination", values[at("rail.inclination")]);
     } else {
         set_file(w, values, of, resources);
     }

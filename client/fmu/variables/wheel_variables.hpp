@@ -53,9 +53,9 @@ inline constexpr auto wheel_alone = std::to_array<Variable>({
         "File of an out-of-round wheel, which replaces wheel.profile. Each line contains an angle (rad) and the file "
         "of the profile there, named like wheel.profile, or relative to the folder of the list. Empty: a round wheel."),
     text("rail.profile", "60E1",
-         "60E1, cone or arc, in upper or lower case, or a file (.prr, .ban, or two columns): a path, a URI, or a name "
-         "in the FMU's resources."),
-    real("rail.inclination", Role::parameter, "", 0.025, "Slope of 60E1, leaning inwards."),
+         "60E1 (the head of UIC60), 49E5, 54E1, 54E3, 60E2, cone or arc, in upper or lower case, or a file (.prr, "
+         ".ban, or two columns): a path, a URI, or a name in the FMU's resources."),
+    real("rail.inclination", Role::parameter, "", 0.025, "Slope of a rail by name, leaning inwards."),
     real("rail.radius", Role::parameter, "mm", 300,
          "Radius of an arc across the track; positive if it falls off to both sides."),
     real("rail.slope", Role::parameter, "", 0, "Slope dz/dy of a cone, and of an arc at its origin."),

@@ -38,6 +38,8 @@ from .values.generated.profile_shapes import (
     ProfileFile,
     ProfilePoints,
     Rail60E1,
+    StandardName,
+    StandardProfile,
 )
 from .values.generated.wheel_rail.forces import (
     WheelRailDerivatives,
@@ -124,6 +126,8 @@ __all__ = [
     "RigidSlipKind",
     "Side",
     "SlopeForces",
+    "StandardName",
+    "StandardProfile",
     "Track",
     "WheelDeviation",
     "WheelLandmarks",

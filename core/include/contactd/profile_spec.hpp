@@ -51,6 +51,18 @@ struct ConeProfile {
     bool operator==(const ConeProfile&) const = default;
 };
 
+/// Lists the profiles with names. Sections in files contain indices of this list.
+enum class StandardName { S1002, UIC60, n49E5, n54E1, n54E3, n60E1, n60E2 };
+
+/// Selects a wheel or the head of a rail by its name. S1002 has the points of the shape S1002, and UIC60 those of
+/// Rail60E1. The other names are rails of EN 13674-1:2017.
+struct StandardProfile {
+    StandardName name = StandardName::n60E1;
+    double inclination = 0;  ///< of a rail, as in Rail60E1
+
+    bool operator==(const StandardProfile&) const = default;
+};
+
 /// Holds points in the order of the curve, from either end.
 struct ProfilePoints {
     std::vector<ProfilePoint> points;
@@ -89,7 +101,8 @@ struct ProfileFile {
 };
 
 /// Sections in files contain the index of a shape in this list.
-using ProfileShape = std::variant<S1002, Rail60E1, ArcProfile, ConeProfile, ProfilePoints, ProfileFile>;
+using ProfileShape =
+    std::variant<S1002, Rail60E1, ArcProfile, ConeProfile, ProfilePoints, ProfileFile, StandardProfile>;
 
 struct ProfileSpec {
     ProfileKind kind = ProfileKind::wheel;

@@ -82,6 +82,9 @@ inline constexpr std::tuple named_members<ConeProfile>{NamedMember{"slope", &Con
                                                        NamedMember{"from", &ConeProfile::from},
                                                        NamedMember{"to", &ConeProfile::to}};
 template <>
+inline constexpr std::tuple named_members<StandardProfile>{NamedMember{"name", &StandardProfile::name},
+                                                           NamedMember{"inclination", &StandardProfile::inclination}};
+template <>
 inline constexpr std::tuple named_members<ProfilePoint>{NamedMember{"y", &ProfilePoint::y},
                                                         NamedMember{"z", &ProfilePoint::z}};
 template <>
@@ -106,7 +109,7 @@ inline constexpr auto alternative_names<SectionShape> =
                                      "plate_hole", "slab", "profile_section"});
 template <>
 inline constexpr auto alternative_names<ProfileShape> =
-    std::to_array<std::string_view>({"s1002", "rail_60e1", "arc", "cone", "points", "file"});
+    std::to_array<std::string_view>({"s1002", "rail_60e1", "arc", "cone", "points", "file", "standard"});
 
 /// Calls `visit` with the name and the value of each field, in their order: numbers, counts, flags, words, objects with
 /// named_members, lists (std::vector) and alternatives (std::variant). `Of` may be const.

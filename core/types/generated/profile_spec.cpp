@@ -11,6 +11,9 @@ namespace {
 [[maybe_unused]] void all_of(const Rail60E1& all) {
     [[maybe_unused]] const auto& [inclination_] = all;
 }
+[[maybe_unused]] void all_of(const StandardProfile& all) {
+    [[maybe_unused]] const auto& [name_, inclination_] = all;
+}
 [[maybe_unused]] void all_of(const ProfileFile& all) {
     [[maybe_unused]] const auto& [name_, text_, unit_, mirror_y_, mirror_z_, shift_y_, shift_z_, smoothing_length_,
                                   smoothing_order_, smoothing_lambda_, kinks_] = all;
@@ -32,6 +35,7 @@ const FieldType& type_of<ProfileSpec>() {
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<Rail60E1>>("rail_60e1"),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ArcProfile>>("arc"),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ConeProfile>>("cone"),
+        fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<StandardProfile>>("standard"),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>,
                             &ProfilePoints::points>("points"),
         fields::field_along<ProfileSpec, &ProfileSpec::shape, fields::alternative<ProfilePoints>, &ProfilePoints::unit>(
@@ -96,6 +100,16 @@ const FieldType& type_of<ConeProfile>() {
         fields::field_along<ConeProfile, &ConeProfile::slope>("slope",
                                                               {.bounds = {.least = -3, .most = 3}, .required = true}),
         fields::field_within<ConeProfile>("ends", &type_of<ProfileEnds<ConeProfile>>),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<StandardProfile>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&StandardProfile::name>("name", {.required = true}),
+        fields::field<&StandardProfile::inclination>("inclination", {.bounds = {.least = -0.2, .most = 0.2}}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

@@ -8,6 +8,7 @@
 #include "codec_parts.hpp"
 #include "codec_profile.hpp"
 #include "contactd/below.hpp"
+#include "contactd/fields/profile_spec.hpp"
 #include "contactd/proto/object.hpp"
 #include "contactd/proto/status.hpp"
 #include "contactd/read_profile.hpp"

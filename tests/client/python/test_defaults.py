@@ -34,6 +34,7 @@ PLACES = [
     (wheel_rail.WheelsetVelocity, (*STATE, "velocity")),
     (wheel_rail.RailDeviation, (*STATE, "rail")),
     (wheel_rail.Rail60E1, (*DEFINITIONS, "profile", "properties", "rail_60e1")),
+    (wheel_rail.StandardProfile, (*DEFINITIONS, "profile", "properties", "standard")),
     (wheel_rail.ArcProfile, (*DEFINITIONS, "profile", "properties", "arc")),
     (wheel_rail.ProfilePoints, (*DEFINITIONS, "profile")),
     (wheel_rail.ProfileFile, (*DEFINITIONS, "profile", "properties", "file")),

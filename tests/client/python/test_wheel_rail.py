@@ -30,6 +30,7 @@ from contactd.wheel_rail import (
     Rail60E1,
     RailDeviation,
     RailSprings,
+    StandardProfile,
     Track,
     WheelRailFriction,
     WheelRailSetup,
@@ -116,6 +117,7 @@ def test_a_wheel_of_another_material_stands_on_a_rail_of_steel():
         (Rail60E1(), {"rail_60e1": {}}),
         (Rail60E1(0.025), {"rail_60e1": {"inclination": 0.025}}),
         (ConeProfile(-0.05), {"cone": {"slope": -0.05}}),
+        (StandardProfile("54E1", inclination=0.025), {"standard": {"name": "54E1", "inclination": 0.025}}),
         (ArcProfile(-300, ends=(1, 2)), {"arc": {"radius": -300, "ends": [1, 2]}}),
     ],
 )

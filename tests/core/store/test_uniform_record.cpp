@@ -89,6 +89,7 @@ TEST_CASE("Numbers of a section say all of it, and others are refused") {
     for (const Section& section :
          {Section{OutlineSection{outline, {outline}, 1, 2, 0.3}, 2, 0.1, true},
           Section{RailSection{0.025, RailSupport::foot, 2}},
+          Section{ProfileSection{{ProfileKind::rail, StandardProfile{StandardName::n60E2, 0.05}}, 60, 1}},
           Section{ProfileSection{{ProfileKind::rail, ProfilePoints{{{1, 2}, {3, 4}}, 1000, true, false, 2}}, 60, 1}}})
         CHECK(section_from(numbers_of(section)) == section);
     std::vector<double> numbers = numbers_of(Section{Slab{1, 2}});

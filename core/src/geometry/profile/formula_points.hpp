@@ -14,6 +14,8 @@ namespace contactd::geometry {
 std::vector<ProfilePoint> formula_points(const S1002& wheel);
 /// EN 13674-1 defines the rail by arcs R300, R80, R13 and sides of 1:20, down to where the head is widest.
 std::vector<ProfilePoint> formula_points(const Rail60E1& rail);
+/// Returns the points of S1002 and Rail60E1 for the names S1002 and UIC60, otherwise those of the head of a rail.
+std::vector<ProfilePoint> formula_points(const StandardProfile& profile);
 std::vector<ProfilePoint> formula_points(const ArcProfile& arc);
 std::vector<ProfilePoint> formula_points(const ConeProfile& cone);
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <variant>
 
+#include "contactd/fields/profile_spec.hpp"
 #include "contactd/ic_store.hpp"
 #include "contactd/section_fields.hpp"
 

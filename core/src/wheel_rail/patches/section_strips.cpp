@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <variant>
 
 #include "contactd/count_of.hpp"
 #include "geometry/section/ready_made.hpp"
@@ -57,7 +58,12 @@ class StripCarrier {
    private:
     bool is_wheel() const { return profile_.kind == ProfileKind::wheel; }
     std::string name() const { return is_wheel() ? "wheel" : "rail"; }
-    bool is_60e1() const { return std::holds_alternative<Rail60E1>(profile_.shape); }
+    template <class Shape>
+    bool is(StandardName name) const {
+        const auto* standard = std::get_if<StandardProfile>(&profile_.shape);
+        return std::holds_alternative<Shape>(profile_.shape) || (standard != nullptr && standard->name == name);
+    }
+    bool is_60e1() const { return is<Rail60E1>(StandardName::UIC60); }
     static int floored(int station) { return block * static_cast<int>(std::floor(station / double{block})); }
     static int ceiled(int station) { return block * static_cast<int>(std::ceil(station / double{block})); }
 
@@ -71,7 +77,7 @@ class StripCarrier {
         ics.section.emplace();
         if (is_60e1())
             ics.section->shape = RailSection{.from = from * ds_};
-        else if (std::holds_alternative<S1002>(profile_.shape))
+        else if (is<S1002>(StandardName::S1002))
             ics.section->shape = WheelRimSection{.from = from * ds_};
         else
             ics.section->shape = outline({profile_, depth_, from * ds_});

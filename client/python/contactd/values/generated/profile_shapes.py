@@ -8,12 +8,26 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from os import PathLike
+from typing import Literal
 
 import numpy.typing as npt
 
 from ..profile_points import FileOfProfile, MeasuredProfile
 
-__all__ = ["S1002", "ArcProfile", "ConeProfile", "KinkRule", "Profile", "ProfileFile", "ProfilePoints", "Rail60E1"]
+__all__ = [
+    "S1002",
+    "ArcProfile",
+    "ConeProfile",
+    "KinkRule",
+    "Profile",
+    "ProfileFile",
+    "ProfilePoints",
+    "Rail60E1",
+    "StandardName",
+    "StandardProfile",
+]
+
+StandardName = Literal["S1002", "UIC60", "49E5", "54E1", "54E3", "60E1", "60E2"]
 
 
 @dataclass(frozen=True)
@@ -67,6 +81,26 @@ class ConeProfile:
 
     slope: float
     ends: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True)
+class StandardProfile:
+    """A wheel or the head of a rail by its name.
+
+    ::
+
+        StandardProfile("54E1", inclination=1 / 40)
+
+    Attributes:
+        name: S1002: the wheel of EN 13715, like the shape s1002. UIC60: the shape rail_60e1. Others: rails of EN
+            13674-1:2017; 60E1 differs from UIC60 by at most 0.04 mm.
+        inclination: Slope of a rail, towards y < 0 (-0.2 to 0.2): 0.025 is 1/40. Wheels have none. Default 0.
+    """
+
+    _key = "standard"
+
+    name: StandardName
+    inclination: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -153,4 +187,4 @@ class ProfileFile(FileOfProfile):
     kinks: KinkRule | None = None
 
 
-Profile = S1002 | Rail60E1 | ArcProfile | ConeProfile | ProfilePoints | ProfileFile
+Profile = S1002 | Rail60E1 | ArcProfile | ConeProfile | StandardProfile | ProfilePoints | ProfileFile

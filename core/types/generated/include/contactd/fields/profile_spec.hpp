@@ -8,6 +8,17 @@
 namespace contactd {
 
 template <>
+inline constexpr auto enum_words<StandardName> =
+    std::to_array<std::string_view>({"S1002", "UIC60", "49E5", "54E1", "54E3", "60E1", "60E2"});
+static_assert(static_cast<int>(StandardName::S1002) == 0);
+static_assert(static_cast<int>(StandardName::UIC60) == 1);
+static_assert(static_cast<int>(StandardName::n49E5) == 2);
+static_assert(static_cast<int>(StandardName::n54E1) == 3);
+static_assert(static_cast<int>(StandardName::n54E3) == 4);
+static_assert(static_cast<int>(StandardName::n60E1) == 5);
+static_assert(static_cast<int>(StandardName::n60E2) == 6);
+
+template <>
 const FieldType& type_of<ProfileSpec>();
 template <>
 const FieldType& type_of<Rail60E1>();
@@ -22,6 +33,8 @@ template <>
 const FieldType& type_of<ProfileEnds<ConeProfile>>();
 template <>
 const FieldType& type_of<ConeProfile>();
+template <>
+const FieldType& type_of<StandardProfile>();
 template <>
 const FieldType& type_of<ProfileFile>();
 template <>
