@@ -172,7 +172,7 @@ def sessions() -> Iterator[bytes]:
     setup = {"side": "left", "rail": {"points": array(1, 3, 2)}, "friction": {"mu": [{"angle": -1, "mu": 0.1}, {"angle": 0, "mu": 0.3}]}, "dx": 1}
     options = {"unit": 25.4, "mirror_y": True, "mirror_z": False, "shift_y": 1, "shift_z": -1, "smoothing_length": 3, "smoothing_order": 3}
     file = {"name": "a.csv", "text": "y;z\n-2;0,2\n0;0\n2;0,2\n", "kinks": {"angle": 1, "rest": 0.1, "width": 1}, **options}
-    setup |= {"wheel_slices": [{"angle": a, "profile": {"s1002": True}} for a in (-0.1, 0.1)], "wheel": {"file": file}, "track": {"springs": {"y": 1e4, "z": 1e5}}}
+    setup |= {"wheel_slices": [{"angle": a, "profile": p} for a, p in ((-0.1, {"s1002": True}), (0.1, {"standard": {"name": "S1002"}}))], "wheel": {"file": file}, "track": {"springs": {"y": 1e4, "z": 1e5}}}
     opening = {"wheelrail": {"setup": setup}, "lease_seconds": 60, "accept_unconverged": True}
     yield message({"contactd": 1, "id": "7f", "method": "session.open", "params": opening}, np.array([[-20.0, 2], [0, 0], [20, 2]]).tobytes())
     state = {"position": {"y": 1, "yaw": 1e-3}, "velocity": {"x": 2000, "pitch": -4.3}, "rail": {"y": 0.1, "Fy": 10}, "Fz": 1e4, "derivatives": True}

@@ -24,6 +24,7 @@ from .commands import (
     jobs,
     keys,
     profile,
+    profiles,
     session,
     solve,
     study,
@@ -48,7 +49,10 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
-for family in (info, tables, solve, wheelrail, profile, conform, contact, compare, fit, session, jobs, watch, bench, dashboard, keys, study, wear, completion):
+for family in (
+    info, tables, solve, wheelrail, profile, profiles, conform, contact, compare, fit, session, jobs, watch, bench, dashboard,
+    keys, study, wear, completion,
+):  # fmt: skip
     family.add_to(app)
 
 

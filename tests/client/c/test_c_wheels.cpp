@@ -31,6 +31,12 @@ const std::vector<Case>& cases() {
     static const std::vector<Case> all{
         {"in the middle", [](contactd_wheel* w) { set_rolling(w, 0); }},
         {"two regions in one patch", [](contactd_wheel* w) { set_rolling(w, 5); }},
+        {"a rail by its name",
+         [](contactd_wheel* w) {
+             set_rolling(w, 2);
+             set_word(w, "setup.rail.standard.name", "54E1");
+             set(w, "setup.rail.standard.inclination", 0.025);
+         }},
         {"a left wheel with derivatives",
          [](contactd_wheel* w) {
              set_rolling(w, 2);

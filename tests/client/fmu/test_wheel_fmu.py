@@ -114,9 +114,10 @@ def test_names_that_lead_out_of_the_resources_are_refused(wheel, refused, tmp_pa
 def test_names_of_profiles_are_taken_as_they_are_meant(wheel, tmp_path):
     """In any case, with spaces, as URIs, and with the slashes of other systems."""
     usual = wheel(name="usual").start(COARSE).step(values_at(1))
-    for at, names in enumerate((("s1002", "60e1"), (" S 1002 ", "60 E1"), ("S1002\n", "60E1 "))):
+    for at, names in enumerate((("s1002", "60e1"), (" S 1002 ", "60 E1"), ("S1002\n", "60E1 "), ("S1002", "uic60"))):
         told = dict(zip(("wheel.profile", "rail.profile"), names, strict=True))
         assert wheel(name=f"names {at}").start({**COARSE, **told}).step(values_at(1)) == usual
+    assert wheel(name="54E1").start({**COARSE, "rail.profile": "54 e1"}).step(values_at(1)) != usual
     folder = tmp_path / "my profiles"
     folder.mkdir()
     write_arc(folder / "rail 1.txt")

@@ -14,15 +14,14 @@ import typer
 
 from contactd import Client, ContactWarning, InvalidArgument, __version__
 from contactd.files.profile_text import ENDINGS, format_profile
-from contactd.pictures.canvas import plain
 from contactd.wheel_rail import ProfileEvidence, ProfileFile, Track, WheelRailSetup
-from contactd.wheel_rail_pictures import curvature_of, draw_curvature, draw_profile
+from contactd.wheel_rail_pictures import curvature_of
 
 from ..common import Command, Group, connected, setting
 from ..files import writable, write_text
 from ..output import emit, facts, number, plain_json, warn
 from ..saving import check_picture
-from ..writing.drawing import save_picture
+from ..writing.profile_picture import save_profile_picture
 
 __all__ = ["add_to"]
 
@@ -61,7 +60,7 @@ def show(
         found = _Found(client, profile, _kind(wheel, rail))
         measured = _Found(client, replace(profile, smoothing_length=None), found.kind).points if smoothing else None
     if output is not None:
-        _draw(Path(output), f"{file.name}: a {found.kind}", found, measured)
+        save_profile_picture(Path(output), f"{file.name}: a {found.kind}", found.points, found.evidence, measured)
     given = {"kind": found.kind, "evidence": found.evidence, "points": found.points}
     emit(setting().json, plain_json(given), facts(file.name, _rows(found, smoothing)))
     warn(found.evidence.warnings)
@@ -172,14 +171,3 @@ def _rows(found: _Found, smoothing: float) -> list[tuple[str, Any]]:
 def _radius(curvature: Any) -> float | None:
     largest = float(np.max(curvature))
     return 1 / largest if largest > 0 and math.isfinite(largest) else None
-
-
-def _draw(path: Path, title: str, found: _Found, measured: Any) -> None:
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(7.2, 6.0), layout="constrained")
-    above, below = figure.subplots(2, 1, sharex=True)
-    draw_profile(above, found.points, found.evidence, measured)
-    draw_curvature(below, found.points, measured)
-    above.set_title(plain(title, 80), fontsize="medium")
-    save_picture(path, figure, dpi=150)

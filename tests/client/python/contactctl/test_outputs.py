@@ -22,6 +22,7 @@ OUTPUTS = [
     (["contact", "convert", "two.inp", "case.yaml", "--case", "1"], ["case.yaml"]),
     (["profile", "convert", "points.txt", "rail.prr", "--rail"], ["rail.prr"]),
     (["profile", "convert", "points.txt", "rail.csv", "--rail"], ["rail.csv"]),
+    (["profiles", "write", "S1002"], ["S1002.prw", "S1002.whl"]),
     (["study", "sweep.yaml", "--csv", "rows.csv", "--hdf5", "rows.h5"], ["rows.csv", "rows.h5"]),
     (["compare", "contact.yaml", "--models", "full,hertz", "--csv", "models.csv", "--plot", "models.png"], ["models.csv", "models.png"]),
     *((["ic", "export", "table.json", "--output", f"table.{ending}"], [f"table.{ending}"]) for ending in ("h5", "npz", "txt")),

@@ -39,6 +39,7 @@ COMMANDS = [
     "contact check case.inp",
     "profile show head.txt",
     "conform en15302 --own",
+    "profiles write S1002",
 ]
 
 
