@@ -106,7 +106,7 @@ def test_the_demo_of_a_wheelset_agrees_with_the_benchmark_and_draws_a_picture(fo
 
 @pytest.mark.timeout(300)
 def test_the_demo_of_profiles_agrees_with_closed_forms_and_draws_pictures(folder):
-    output = drawn(folder, "contact-locus creep-forces equivalent-conicity wheel-rail-patches", "profiles", file="all.png")
+    output = drawn(folder, "contact-locus creep-forces equivalent-conicity standard-profiles wheel-rail-patches", "profiles", file="all.png")
     assert output.count("pass") == 4
 
 

@@ -216,7 +216,7 @@ def main() -> int:
     parser.add_argument(
         "--bin", type=Path, default=Path("build/production/bin"), help="folder with contactd, contactd-ic"
     )
-    parser.add_argument("--output", type=Path, default=Path("contactd-demo.png"), help="file of the picture (PNG); profiles writes four into its folder")
+    parser.add_argument("--output", type=Path, default=Path("contactd-demo.png"), help="file of the picture (PNG); profiles writes five into its folder")
     options = parser.parse_args()
     # Stops the daemon however the demo ends.
     signal.signal(signal.SIGTERM, lambda number, frame: sys.exit(128 + number))

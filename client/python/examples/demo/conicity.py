@@ -7,7 +7,7 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
-from rail_pictures import INCLINATIONS, draw_conicities, draw_contacts, draw_creep_forces, draw_loci
+from rail_pictures import INCLINATIONS, draw_conicities, draw_contacts, draw_creep_forces, draw_loci, draw_standards
 from terminal import ProgressBar, say, section, styled, table
 
 from contactd import Client, Progress
@@ -48,6 +48,7 @@ def shown(conicity: EquivalentConicity) -> str:
 def draw_all(client: Client, conicities: dict[str, list[EquivalentConicity]], folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
     pictures = {
+        "standard-profiles.png": lambda path: draw_standards(client, path),
         "contact-locus.png": lambda path: draw_loci(client, path),
         "equivalent-conicity.png": lambda path: draw_conicities(conicities, path),
         "wheel-rail-patches.png": lambda path: draw_contacts(client, path),

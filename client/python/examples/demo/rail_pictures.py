@@ -1,5 +1,5 @@
-"""Draws four pictures familiar to railway engineers: contact locus, equivalent conicity, patches on their profiles,
-creep forces.
+"""Draws pictures familiar to railway engineers: standard profiles, contact locus, equivalent conicity, patches on their
+profiles, creep forces.
 """
 
 from __future__ import annotations
@@ -15,20 +15,48 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 from contactd import Client
+from contactd.standard_profiles import STANDARDS
 from contactd.wheel_rail import (
     EquivalentConicity,
     Rail60E1,
+    StandardName,
+    StandardProfile,
+    Track,
     WheelRailSetup,
     WheelRailState,
     WheelsetPosition,
     WheelsetState,
     WheelsetVelocity,
 )
-from contactd.wheel_rail_pictures import draw_conicity, draw_contact_locus, draw_patches
+from contactd.wheel_rail_pictures import draw_conicity, draw_contact_locus, draw_patches, draw_profile
 
 FZ, SPEED, RADIUS, MU = 80e3, 20e3, 460.0, 0.3  # N, mm/s, mm
 INCLINATIONS = {"1/40": 1 / 40, "1/20": 1 / 20}
 ROLLING = WheelsetVelocity(x=SPEED, pitch=-SPEED / RADIUS)
+
+
+def draw_standards(client: Client, path: Path) -> None:
+    """Draws each standard profile, and the heads of all rails in one plot."""
+    figure, all_axes = plt.subplots(2, 4, figsize=(13, 5.6), layout="constrained")
+    *panels, together = all_axes.flat
+    for axes, (name, of) in zip(panels, STANDARDS.items(), strict=True):
+        points = _points_of(client, name)
+        draw_profile(axes, points)
+        axes.set(xlabel="y (mm)", xlim=(-80, 65) if of.of == "wheel" else (-40, 40))
+        axes.set_title(f"{name}, {of.standard}\n{of.shape}", fontsize="small")
+        if of.of == "rail":
+            together.plot(*points.T, lw=1, label=name)
+    together.set(xlabel="y (mm)", xlim=(-38, 38), ylim=(16, -1))
+    together.set_title("top of the rails, z enlarged", fontsize="small")
+    together.legend(frameon=False, fontsize="x-small", loc="lower center")
+    figure.savefig(path, dpi=110)
+
+
+def _points_of(client: Client, name: StandardName) -> Any:
+    track = Track(rail_origin=(750.0, 0.0))
+    if STANDARDS[name].of == "wheel":
+        return client.placed_profiles(WheelRailSetup(wheel=StandardProfile(name), track=track)).right.wheel
+    return client.placed_profiles(WheelRailSetup(rail=StandardProfile(name), track=track)).right.rail
 
 
 def draw_loci(client: Client, path: Path) -> None:
