@@ -1,4 +1,4 @@
-// The observer of the first process, made collective: all processes leave together when it cancels.
+// Makes the observer of the first process collective: all processes leave together when it cancels.
 #pragma once
 
 #include <mpi.h>

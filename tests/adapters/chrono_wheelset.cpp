@@ -1,5 +1,5 @@
-// Motions of a wheelset from a file, in the format of stand_ins/mbc.h, to the load of wheelset_on_track.hpp; prints
-// what it puts on the track.
+// Applies motions of a wheelset from a file, in the format of stand_ins/mbc.h, to the load of wheelset_on_track.hpp,
+// and prints its force on the track.
 #include "wheelset_on_track.hpp"
 
 #include <fstream>

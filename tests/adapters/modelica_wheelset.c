@@ -1,5 +1,5 @@
-/* The model Examples.Wheelset of the Modelica package, by the functions that it calls, in steps of its state of 0.25
- * ms: velocities first. Prints y (m) at every 400th step, and the wrench of the right wheel at the start. */
+/* Simulates the model Examples.Wheelset of the Modelica package with its external functions, in steps of 0.25 ms that
+ * update velocities first. Prints y (m) at every 400th step, and the wrench of the right wheel at the start. */
 #include <contactd_modelica.h>
 #include <stdarg.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-"""PACKAGES ARCHIVE STEP SECONDS: an SSP archive by libcosim; prints what body.y and right.pmax are at the end, as JSON behind
-the word values, among what libcosim prints."""
+"""Runs an SSP archive by libcosim (PACKAGES ARCHIVE STEP SECONDS). Prints the last body.y and right.pmax as JSON after
+the word values, among the output of libcosim."""
 
 import json
 import sys

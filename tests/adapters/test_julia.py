@@ -1,5 +1,5 @@
-"""The module for Julia calls the functions of contactd.h as they are. There is no Julia among the packages: what it would call is
-read from the module, held against the header, and called with the same types."""
+"""Tests that the module for Julia calls existing functions of contactd.h. Julia is not among the packages, so the
+calls are read from the module, compared with the header, and made with the same types."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ MODULE = (ROOT / "adapters" / "julia" / "Contactd.jl").read_text()
 HEADER = (ROOT / "client" / "c" / "include" / "contactd.h").read_text()
 LIBRARY = BIN.parent / "lib" / "libcontactd-local.so"
 
-#: Type of Julia -> those of C that it may stand for, and that of ctypes.
+#: Type of Julia -> corresponding types of C, and of ctypes.
 TYPES: dict[str, tuple[set[str], Any]] = {
     "Int32": ({"int32_t"}, ctypes.c_int32),
     "Cdouble": ({"double"}, ctypes.c_double),
@@ -33,9 +33,9 @@ TYPES: dict[str, tuple[set[str], Any]] = {
 
 
 def calls() -> dict[str, tuple[str, list[str], int]]:
-    """Name -> types of the answer and of the arguments, and how many arguments follow."""
+    """Maps names to the types of the answer and of the arguments, and the number of further arguments."""
     found = {}
-    # Arguments may be calls of one argument.
+    # Arguments may be calls with one argument.
     for name, answer, arguments, rest in re.findall(
         r"ccall\(\(:(\w+), LIBRARY\), ([\w{}]+), \(([^()]*)\)((?:[^()]|\([^()]*\))*)\)", MODULE
     ):
@@ -46,7 +46,7 @@ def calls() -> dict[str, tuple[str, list[str], int]]:
 
 
 def prototypes() -> dict[str, tuple[str, list[str]]]:
-    """The same of the header."""
+    """Does the same for the header."""
     found = {}
     for answer, name, arguments in re.findall(r"^CONTACTD_API ([\w ]+\*?) ?(contactd_\w+)\(([^)]*)\);", HEADER, re.MULTILINE):
         types = [re.sub(r"\s*\b\w+$", "", " ".join(part.split())) for part in arguments.split(",") if part.strip() != "void"]

@@ -1,5 +1,5 @@
-"""The Modelica package calls functions that are there, and these find what the client finds. There is no compiler of Modelica among
-the packages: its external functions are compiled as they are, and its model is played by them."""
+"""Tests that the Modelica package calls existing functions, with the results of the client. No compiler of Modelica is
+among the packages, so its external functions are compiled, and a program simulates its model with them."""
 
 from __future__ import annotations
 
@@ -18,9 +18,9 @@ HERE = Path(__file__).parent
 FOLDER = ROOT / "adapters" / "modelica" / "Contactd"
 PACKAGE = (FOLDER / "package.mo").read_text()
 HEADER = (FOLDER / "Resources" / "Include" / "contactd_modelica.h").read_text()
-#: Type of Modelica -> that of C (language specification, 12.9.1).
+#: Type of Modelica -> type of C (language specification, 12.9.1).
 TYPES = {"Real": "double", "String": "const char*", "WheelObject": "void*", "Integer": "int"}
-#: Of the language (specification, 2.3.3), which no component may be called by.
+#: Keywords of the language (specification, 2.3.3), which are not allowed as names.
 RESERVED = set(
     """algorithm and annotation block break class connect connector constant constrainedby der discrete each else elseif elsewhen
     encapsulated end enumeration equation expandable extends external false final flow for function if import impure in initial
@@ -82,7 +82,7 @@ def test_its_wheelset_swings_back_by_the_forces_of_the_client(program):
     on_rail = solution.forces.wheelset
     assert [float(number) for number in first.split()] == pytest.approx([on_rail.Fy, on_rail.Fz, 1e-3 * on_rail.Mz], rel=1e-9)
     y = [1e3 * float(place) for place in places]
-    # As in test_ssp.py, where the same wheelset is four FMUs: a quarter of its wave is 0.23 s.
+    # test_ssp.py has the same wheelset as four FMUs: a quarter of its wave takes 0.23 s.
     assert y[0] == 3
     assert y[2] > 0.4 and y[3] < -0.9
 

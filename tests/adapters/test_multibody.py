@@ -1,5 +1,5 @@
-"""The adapters of Project Chrono and MBDyn, neither of which is among the packages: compiled against stand-ins that declare what they
-call, and asked for motions of a wheelset, whose forces are those of the client."""
+"""Tests the adapters of Project Chrono and MBDyn, which are not among the packages. They are compiled with
+replacements of their headers, and their forces are compared with those of the client."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def motions(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def expected() -> np.ndarray:
-    """Force on the wheelset and moment about its centre, along the track (N, N m)."""
+    """Returns the force on the wheelset and the moment about its centre, along the track (N, N m)."""
     found = []
     with contactd.local() as client:
         for y, z, roll, yaw, _, roll_rate, yaw_rate in MOTIONS:

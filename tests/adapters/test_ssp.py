@@ -1,4 +1,4 @@
-"""The SSP archive of a wheelset: four FMUs that FMPy and libcosim run as a system."""
+"""Tests the SSP archive of a wheelset: four FMUs that FMPy and libcosim run as a system."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def adapter() -> ModuleType:
     spec = importlib.util.spec_from_file_location("ssp_adapter", ROOT / "adapters" / "ssp" / "__main__.py")
     assert spec and spec.loader
     module = importlib.util.module_from_spec(spec)
-    sys.modules[spec.name] = module  # where its dataclass looks for itself
+    sys.modules[spec.name] = module  # where its dataclass looks for its module
     spec.loader.exec_module(module)
     return module
 
@@ -44,7 +44,7 @@ def written(adapter: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> Pa
 
 
 def simulated(path: Path, seconds: float, **changed: float) -> Any:
-    """By FMPy, which takes the parameters of all components in one set, with some that are changed."""
+    """Simulates with FMPy, which takes the parameters of all components in one set, some of them changed."""
     from fmpy.ssp.simulation import simulate_ssp
     from fmpy.ssp.ssd import Parameter, ParameterSet, find_components, read_ssd
 
@@ -61,7 +61,7 @@ def simulated(path: Path, seconds: float, **changed: float) -> Any:
 def test_it_is_what_the_schemas_of_ssp_say(written):
     from fmpy.ssp.ssd import find_components, read_ssd
 
-    described = read_ssd(str(written))  # which holds it to the schemas
+    described = read_ssd(str(written))  # validates against the schemas
     assert [component.name for component in find_components(described.system)] == ["body", "track", "left", "right"]
     assert len(described.system.connections) == 16
 
@@ -72,8 +72,8 @@ def test_it_has_the_same_bytes_twice(written, adapter, tmp_path):
 
 
 def test_the_wheelset_swings_as_its_equivalent_conicity_says(written):
-    """From 3 mm beside the middle at 10 m/s, slowly against its kinematic motion: nearly Klingel's wave. The contact of rigid
-    profiles, of which the conicity is, is not that of patches, which makes the wave a little longer."""
+    """The wheelset starts 3 mm from the middle at 10 m/s, and nearly follows Klingel's wave. Conicity refers to rigid
+    profiles; elastic patches make the wave a little longer."""
     run = simulated(written, 0.8)
     y, time = run["body.y"], run["time"]
     (crossings,) = np.nonzero(np.diff(np.sign(y)))
@@ -134,6 +134,6 @@ def test_libcosim_runs_it_as_fmpy_does(written):
     assert ended.returncode == 0, ended.stdout[-2000:] + ended.stderr
     told = json.loads(re.search("^values (.+)$", ended.stdout, re.MULTILINE)[1])
     run = simulated(written, 0.1)
-    # FMPy hands values on after a step, libcosim before the first one, too: the way of up to two steps.
+    # FMPy passes values on after a step, libcosim also before the first one, so the difference is at most two steps.
     assert told["body.y"] == pytest.approx(run["body.y"][-1], abs=2.2 * STEP * abs(run["body.y_rate"][-1]))
     assert told["right.pmax"] == pytest.approx(run["right.pmax"][-1], rel=5e-3)

@@ -1,4 +1,4 @@
-"""Common options of all commands, before and after the name, and the client that they describe."""
+"""Defines common options of all commands, before and after the name, and the client that they describe."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The metrics of the daemon (docs/operations.md): at one time, and their changes between two times."""
+"""Evaluates the metrics of the daemon (docs/operations.md): at one time, and their changes between two times."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Fields by their paths, as in error messages: ``friction.rolling.xi``, ``ics.layers[0].G``. Also converts notations of
-files that the wire does not have: Young's modulus, and lists instead of the objects of laws.
+"""Gets and sets fields by their paths, as in error messages: ``friction.rolling.xi``, ``ics.layers[0].G``. Also
+converts notations of files that the wire does not have: Young's modulus, and lists instead of the objects of laws.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A live progress bar on standard error if that is a terminal."""
+"""Shows a live progress bar on standard error if that is a terminal."""
 
 from __future__ import annotations
 

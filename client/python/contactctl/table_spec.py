@@ -1,4 +1,4 @@
-"""Choice of a table: a file with parameters of ic.get, options for the most common ones, and --set for all others."""
+"""Selects a table: by a file with parameters of ic.get, options for the most common ones, and --set for all others."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Functions that use `contactd.default_client` instead of a client of your own."""
+"""Provides functions that use `contactd.default_client` instead of a client of your own."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The Cattaneo problem of the paper (section 4): a sphere is pressed on a plane, then shifted.
+"""Solves the Cattaneo problem of the paper (section 4): a sphere is pressed on a plane, then shifted.
 
 Run: cattaneo.py [ENDPOINT], e.g. tcp://127.0.0.1:5555. Without an endpoint it solves in its own process
 (contactd-local), or starts its own daemon.

@@ -1,4 +1,5 @@
-"""A parameter study on several workers: Dask distributes the cases, and each worker uses the daemon of its machine.
+"""Runs a parameter study on several workers: Dask distributes the cases, and each worker uses the daemon of its
+machine.
 
     python3 study_dask.py --bin build/production/bin
 

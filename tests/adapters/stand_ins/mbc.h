@@ -1,6 +1,6 @@
-/* The part of MBDyn's libmbc that wheelset_peer.c calls, declared as its header mbc.h has it, and defined so
- * that motions come from a file, a line each: x[3], rotation[9] by columns, velocity[3], angular velocity[3]. Forces
- * and moments are printed, a line each. MBDyn is not among the packages. */
+/* Replaces the part of MBDyn's libmbc that wheelset_peer.c calls, with the declarations of its header mbc.h. Motions
+ * come from a file, one per line: x[3], rotation[9] by columns, velocity[3], angular velocity[3]. Forces and moments
+ * are printed, one line each. MBDyn is not among the packages. */
 #ifndef MBC_H
 #define MBC_H
 

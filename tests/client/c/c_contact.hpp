@@ -1,4 +1,4 @@
-// Contacts of the C interface, for tests: a place to solve them, and handles that are given back.
+// Provides contacts of the C interface for tests: a place to solve them, and handles that free themselves.
 #pragma once
 
 #include <catch2/catch_test_macros.hpp>
@@ -37,12 +37,12 @@ class Handle {
     contactd_contact* handle_ = nullptr;
 };
 
-/// All that contactd_want knows of contacts.
+/// Lists all arrays of contacts that contactd_want accepts.
 inline constexpr std::array every_array{"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y"};
 
 inline constexpr int across = 12, elements = across * across;
 
-/// Two bodies of rubber and a sphere, on 12 x 12 elements: what all cases have in common.
+/// Describes two bodies of rubber and a sphere, on 12 x 12 elements, the common part of all cases.
 inline constexpr std::pair<const char*, double> sphere_fields[] = {
     {"grid.nx", across},       {"grid.ny", across},       {"grid.dx", 0.2},
     {"grid.dy", 0.2},          {"bodies.upper.G", 200},   {"bodies.upper.nu", 0.42},
@@ -52,7 +52,7 @@ inline void set_sphere(contactd_contact* contact) {
     for (const auto& [path, value] : sphere_fields) set(contact, path, value);
 }
 
-/// A contact whose steps take some seconds: many transient steps on many elements.
+/// Creates a contact whose steps take some seconds: many transient steps on many elements.
 inline void set_long(contactd_contact* contact) {
     set_sphere(contact);
     set(contact, {{"grid.nx", 60}, {"grid.ny", 60}, {"grid.dx", 0.04}, {"grid.dy", 0.04}, {"friction.mu", 0.3}});

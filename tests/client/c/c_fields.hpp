@@ -1,4 +1,4 @@
-// How tests set and read the fields of a contact or a wheel.
+// Sets and reads the fields of a contact or a wheel in tests.
 #pragma once
 
 #include <catch2/catch_test_macros.hpp>
@@ -10,7 +10,7 @@
 
 #include "contactd.h"
 
-/// Fails the test with the sentence of the library unless `code` is CONTACTD_OK.
+/// Fails the test with the message of the library unless `code` is CONTACTD_OK.
 inline void require_ok(std::int32_t code, const void* handle) {
     INFO(contactd_last_error(handle));
     REQUIRE(code == CONTACTD_OK);

@@ -1,11 +1,11 @@
-// A wheel on its rail to start from, and all that a solve has found.
+// Provides a wheel on its rail, and all results of a solve.
 #pragma once
 
 #include <string>
 
 #include "every_wheel_call.hpp"
 
-/// An arc through the origin that falls off to both sides.
+/// Returns an arc through the origin that descends to both sides.
 inline void set_arc(contactd_wheel* w, const std::string& profile, double radius) {
     set(w, profile + ".arc.radius", radius);
     set_array(w, profile + ".arc.ends", {-30, 30});
@@ -19,7 +19,7 @@ inline std::string slice(const std::string& list, std::size_t k) {
     return "setup." + list + "[" + std::to_string(k) + "]";
 }
 
-/// A right wheel that rolls under 10 kN, on elements of 1 mm, from which all that there is comes along.
+/// Creates a right wheel that rolls under 10 kN, on elements of 1 mm, and requests all results.
 inline void set_rolling(contactd_wheel* w, double y) {
     set(w, {{"setup.dx", 1}, {"setup.dy", 1}, {"state.position.y", y}, {"state.position.yaw", 2.4e-3 * y}});
     set_array(w, "state.velocity", {2000, 0, 0, 0, 0, -2000 / 460.0});
@@ -28,7 +28,7 @@ inline void set_rolling(contactd_wheel* w, double y) {
     require_ok(contactd_want(w, "gap", 1), w);
 }
 
-/// All that the last solve has found.
+/// Holds all results of the last solve.
 inline Numbers found_of(contactd_wheel* w) {
     Numbers all;
     const auto take = [&](const std::string& path) {

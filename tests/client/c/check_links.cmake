@@ -1,2 +1,2 @@
-# The client's library is as free of the numerics as the C++ client.
+# Checks that the client's library depends on no numerical libraries, like the C++ client.
 include(${CMAKE_CURRENT_LIST_DIR}/../cpp/check_links.cmake)

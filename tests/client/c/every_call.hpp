@@ -1,4 +1,4 @@
-// Every function that takes a contact, with arguments that are fine for themselves.
+// Lists every function that takes a contact, with valid arguments.
 #pragma once
 
 #include <functional>
@@ -9,14 +9,14 @@
 
 using Call = std::function<std::int32_t(contactd_contact*)>;
 
-/// What the calls below read and write.
+/// Holds the variables that the calls below read and write.
 struct Arguments {
     double in[9] = {1, 1, 1, 1, 1, 1, 1, 1, 1}, out[9] = {};
     std::int32_t number = 0;
     char text[8] = {};
 };
 
-/// By the function's name, those of fields, which take wheels too, among them; `a` outlives them.
+/// Maps names of functions to calls, including those of fields, which also take wheels; `a` outlives them.
 inline std::map<std::string, Call> every_call(Arguments& a) {
     using C = contactd_contact*;
     double* const out = a.out;

@@ -1,4 +1,4 @@
-// Every function that takes a wheel on its rail, with arguments that are fine for themselves.
+// Lists every function that takes a wheel on its rail, with valid arguments.
 #pragma once
 
 #include <functional>
@@ -9,14 +9,14 @@
 
 using WheelCall = std::function<std::int32_t(contactd_wheel*)>;
 
-/// What the calls below read and write.
+/// Holds the variables that the calls below read and write.
 struct WheelArguments {
     double in[6] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, out[6] = {};
     std::int32_t number = 0;
     char text[8] = {};
 };
 
-/// By the function's name, those of fields, which take contacts too, among them; `a` outlives them.
+/// Maps names of functions to calls, including those of fields, which also take contacts; `a` outlives them.
 inline std::map<std::string, WheelCall> every_wheel_call(WheelArguments& a) {
     using W = contactd_wheel*;
     return {
@@ -45,7 +45,7 @@ inline std::map<std::string, WheelCall> every_wheel_call(WheelArguments& a) {
     };
 }
 
-/// A wheel that is given back.
+/// Creates a wheel that frees itself.
 class WheelHandle {
    public:
     explicit WheelHandle(contactd_connection* place) { require_ok(contactd_wheel_new(place, &handle_), place); }

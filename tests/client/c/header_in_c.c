@@ -2,7 +2,7 @@
 #define CONTACTD_UNTYPED_HANDLES
 #include "contactd.h"
 
-/* What a C compiler makes of the words. */
+/* Checks the declarations with a C compiler. */
 int words_in_c(void);
 int words_in_c(void) {
     return CONTACTD_SLIP + (int)sizeof(contactd_log) * 0;

@@ -1,4 +1,4 @@
-// What one thread runs and another cancels.
+// Tests calls that one thread runs and another cancels.
 #include <catch2/catch_test_macros.hpp>
 
 #include "cancellable_handle.hpp"
@@ -19,7 +19,7 @@ TEST_CASE("A call that has its turn is cancelled before what it asks runs", "[c]
     const HandleGuard turn(asked.user);
     asked.cancel();
     CHECK(asked.is_stopped());
-    CHECK(asked.is_stopped());  // whatever else the same call asks
+    CHECK(asked.is_stopped());  // in addition to other checks of the call
 }
 
 TEST_CASE("A call is cancelled while what it asks runs", "[c]") {

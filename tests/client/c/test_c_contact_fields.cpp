@@ -1,5 +1,5 @@
-// Fields of contacts by their paths: what is named two ways is the same, kinds of motion are not mixed, and what the
-// set-up says stays from the start on.
+// Tests fields of contacts by their paths: equivalent names are equal, kinds of motion are not mixed, and the set-up is
+// fixed from the start on.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
@@ -43,7 +43,7 @@ Setting cleared(const std::string& path) {
 const Setting shift = numbers({{"friction.mu", 0.4}, {"friction.rigid_shift.x", 0.004}});
 const Setting rolling = numbers({{"friction.mu", 0.4}, {"friction.rolling.xi", 0.001}});
 
-/// What the second step of a sphere answers to these.
+/// Returns the answer of a sphere's second step to these fields.
 Read solved(const Setting& setting) {
     const Place place("local");
     const Handle contact(place);

@@ -1,4 +1,4 @@
-// The C interface solves what the C++ client solves, to the last bit: through a daemon.
+// Tests that the C interface has the same solutions as the C++ client through a daemon, to the last bit.
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
@@ -26,7 +26,7 @@ Read read(const contactd::ContactSolution& solution) {
     return {forces.Fn, forces.Fx, forces.Fy, forces.Mz, solution.approach, solution.pmax};
 }
 
-/// A daemon, what speaks C++ with it and what speaks C.
+/// Holds a daemon, a C++ client and a C connection.
 struct Both {
     Daemon daemon;
     contactd::client::Client client{daemon.endpoint(), {.connect_timeout = std::chrono::seconds(20)}};
@@ -82,7 +82,7 @@ TEST_CASE("A contact in C shifts as one in C++ does, array by array", "[c]") {
         for (const char* path : {"evidence.force.iterations", "motion.xi", "frictional_power"})
             CHECK_FALSE(has(contact, path));
     }
-    CHECK(get_word(contact, "ics.lower.origin") == "memory");  // the session before had it made
+    CHECK(get_word(contact, "ics.lower.origin") == "memory");  // the previous session had it computed
     char origin[20];
     CHECK(contactd_get_word(contact, "ics.pair.origin", origin, 20) == CONTACTD_NOT_FOUND);
 }
@@ -119,11 +119,11 @@ TEST_CASE("A contact in C rolls under a force as one in C++ does, and starts fro
     contactd::StepInput more;
     more.motion = rolling;
     std::get<contactd::Rolling>(*more.motion).force.Fx = -1.2;
-    std::get<contactd::Rolling>(*more.motion).xi = 0;  // said once more by both: the estimate that was set
+    std::get<contactd::Rolling>(*more.motion).xi = 0;  // both set the estimate again
     set(contact, "friction.rolling.force.Fx", -1.2);
     const double second = compare(more);
     CHECK(second > first);
-    std::get<contactd::Rolling>(*more.motion).xi = second;  // the C interface takes over what it has found
+    std::get<contactd::Rolling>(*more.motion).xi = second;  // the C interface uses the computed motion
     compare(more);
 }
 

@@ -1,4 +1,4 @@
-// The example in C against a real daemon.
+// Tests the example in C with a real daemon.
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
@@ -29,5 +29,5 @@ TEST_CASE("The example in C shifts the sphere of the Cattaneo problem in two ste
     std::smatch found;
     REQUIRE(std::regex_search(output, found, std::regex(R"(step 2: Fn (\S+) N, Fx (\S+) N)")));
     CHECK(std::stod(found[1]) == Approx(9.19731113).epsilon(1e-5));
-    CHECK(std::stod(found[2]) == Approx(-3.22211266).epsilon(1e-4));  // as in one step, of which a shift is made
+    CHECK(std::stod(found[2]) == Approx(-3.22211266).epsilon(1e-4));  // like one step, of which a shift consists
 }

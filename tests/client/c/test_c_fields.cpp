@@ -1,4 +1,4 @@
-// Fields by their paths: by texts, ids or many at once they are the same, and what is wrong is refused at once.
+// Tests fields by their paths: texts, ids and bulk access are equivalent, and errors are reported immediately.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 

@@ -1,5 +1,5 @@
-// Wheels that are not round and rails that give way, by the C interface: in process and with a daemon to the last bit,
-// in whatever order fields are set, and what is refused.
+// Tests out-of-round wheels and flexible rails with the C interface, in process and with a daemon to the last bit, with
+// fields in any order, and refusals.
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -21,7 +21,7 @@ namespace {
 constexpr double radius = 450, depth = 0.5;
 const double edge = std::acos(1 - depth / radius);  // half the angle of the flat
 
-/// A cylinder with a flat, at pitch 0 on the rail, which is an arc.
+/// Creates a cylinder with a flat, at pitch 0 on the rail, which is an arc.
 void set_flat(contactd_wheel* w) {
     set_rolling(w, 0);
     set_arc(w, "setup.rail", 300);
@@ -35,7 +35,7 @@ void set_flat(contactd_wheel* w) {
     }
 }
 
-/// In the flange, on a rail that something else draws inwards, too.
+/// Creates a flange contact, on a rail that is also pulled inwards.
 void set_on_springs(contactd_wheel* w) {
     set_rolling(w, 7.5);
     set(w, {{"setup.track.springs.y", 1e4}, {"setup.track.springs.z", 1e5}});
@@ -47,7 +47,7 @@ double height(contactd_wheel* w) {
     return get(w, "z");
 }
 
-/// A cone that is a little out of round.
+/// Creates a cone that is slightly out of round.
 void set_out_of_round(contactd_wheel* w) {
     constexpr std::array slopes{-0.05, -0.051, -0.05};
     for (std::size_t k = 0; k < slopes.size(); ++k) {
@@ -56,7 +56,7 @@ void set_out_of_round(contactd_wheel* w) {
     }
 }
 
-/// A rail that varies along the track.
+/// Creates a rail that varies along the track.
 void set_slices(contactd_wheel* w) {
     set(w, {{"setup.track.rail_origin.y", 750}, {"setup.track.rail_origin.z", 0}});
     for (const std::size_t k : {0, 1}) {

@@ -1,4 +1,4 @@
-// What an implicit integrator asks for: steps tried again, and derivatives; in process and behind a daemon.
+// Tests functions for implicit integrators, repeated steps and derivatives, in process and with a daemon.
 #include <catch2/catch_test_macros.hpp>
 
 #include <cmath>
@@ -23,7 +23,7 @@ std::vector<double> derivatives(contactd_contact* contact) {
     return all;
 }
 
-/// Fx for a creepage, each solved from nothing.
+/// Returns Fx for a creepage, each solved without an estimate.
 double force(contactd_connection* place, double xi) {
     const Handle contact(place);
     set_rolling(contact);

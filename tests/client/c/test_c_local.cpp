@@ -1,4 +1,4 @@
-// In process and behind a daemon the same is refused; that the same is answered, tests/congruence holds.
+// Tests that refusals are equal in process and with a daemon; tests/congruence compares answers.
 #include <catch2/catch_test_macros.hpp>
 
 #include <functional>

@@ -1,4 +1,4 @@
-"""contactd/paths.h: its constants are paths that the library has, and keywords that fields take."""
+"""Tests the constants of contactd/paths.h: paths that the library has, and keywords that fields accept."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ PATHS = {path for name, path in CONSTANTS.items() if name.startswith("CONTACTD_P
 
 @pytest.fixture(scope="module")
 def handles():
-    """The library, a wheel and a contact."""
+    """Holds the library, a wheel and a contact."""
     library = ctypes.CDLL(str(LIBRARY))
     library.contactd_last_error.restype = ctypes.c_char_p
     connection, wheel, contact = ctypes.c_void_p(), ctypes.c_void_p(), ctypes.c_void_p()
@@ -42,7 +42,7 @@ def test_each_path_is_one_of_a_wheel_or_a_contact(handles):
 
 
 def test_the_paths_that_a_refusal_names_have_constants(handles):
-    """What stands beside each other in the library is what the header has."""
+    """Adjacent entries of the library must be those of the header."""
     library, wheel, contact = handles
     number = ctypes.c_int32()
     known = {path.replace("[%d]", "[0]") for path in PATHS}

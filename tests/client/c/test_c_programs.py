@@ -1,4 +1,4 @@
-"""Programs in C: the one on the page is compiled as it stands there, and nothing is lost of memory."""
+"""Tests programs in C: the one on the page is compiled unchanged, and no memory is lost."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def test_the_example_says_that_nobody_listens(tmp_path):
 
 
 def numbers(text: str) -> list[float]:
-    """Of the steps that an example prints."""
+    """Returns numbers of the steps that an example prints."""
     return [float(number) for number in re.findall(r"(?<=F[nx]) +(-?\d\S+)(?= N)", text)]
 
 
@@ -43,7 +43,7 @@ def test_the_example_in_fortran_is_that_in_c(shared_daemon):
     assert ended.returncode == 0, ended.stderr
     expected = numbers(run(BIN / "contactd-c-example", shared_daemon.endpoint).stdout)
     assert len(expected) == 4
-    assert numbers(ended.stdout) == pytest.approx(expected, rel=1e-7)  # as many digits are printed
+    assert numbers(ended.stdout) == pytest.approx(expected, rel=1e-7)  # limited by the printed digits
 
 
 @needs("gfortran")

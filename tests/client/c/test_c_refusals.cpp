@@ -1,4 +1,4 @@
-// What the C interface refuses, whatever comes in. No daemon: nothing here gets as far.
+// Tests refusals of the C interface for any input, without a daemon.
 #include <catch2/catch_test_macros.hpp>
 
 #include <fstream>
@@ -26,7 +26,7 @@ std::string reason() {
     return contactd_last_reason(nullptr);
 }
 
-/// Functions of the header whose declaration begins so; by default that take a contact first.
+/// Returns functions of the header whose declaration begins with this text; by default those that take a contact first.
 std::set<std::string> declared_calls(
     const std::string& begin = R"((contactd_\w+)\((?:contactd_contact\* contact|contactd_handle handle))") {
     std::ifstream file(HEADER);
@@ -220,7 +220,7 @@ TEST_CASE("What was not started cannot step, and what cannot be solved cannot st
     refused("gap.paraboloid.Rx");
     set(c, "gap.paraboloid.Rx", 1);
 
-    CHECK(contactd_start(c) == CONTACTD_UNAVAILABLE);  // all is well but for the daemon
+    CHECK(contactd_start(c) == CONTACTD_UNAVAILABLE);  // everything is valid except the daemon
     CHECK(std::string(contactd_last_error(c)).find("No daemon is listening") != std::string::npos);
     CHECK(contactd_last_reason(c) == std::string("NO_CONNECTION"));
     CHECK(contactd_ping(nowhere.place) == CONTACTD_UNAVAILABLE);
@@ -233,7 +233,7 @@ TEST_CASE("A failure is told by its handle, and of each handle the last one", "[
     CHECK(contactd_last_error(one) == std::string());
     CHECK(contactd_step(one) == CONTACTD_FAILED_PRECONDITION);
     CHECK(contactd_set(other, "friction.mu", nan) == CONTACTD_INVALID_ARGUMENT);
-    CHECK(contactd_set(other, "friction.mu", 0.3) == CONTACTD_OK);  // what succeeds leaves the last failure
+    CHECK(contactd_set(other, "friction.mu", 0.3) == CONTACTD_OK);  // a successful call keeps the last failure
     CHECK(contactd_last_code(one) == CONTACTD_FAILED_PRECONDITION);
     CHECK(contactd_last_code(other) == CONTACTD_INVALID_ARGUMENT);
     CHECK(contactd_last_field(other) == std::string("friction.mu"));

@@ -1,4 +1,4 @@
-// What the C interface refuses of cross-sections and curved columns, before anything is sent.
+// Tests refusals of cross-sections and curved columns by the C interface, before anything is sent.
 #include <catch2/catch_test_macros.hpp>
 
 #include <limits>

@@ -1,4 +1,4 @@
-// Bodies by their cross-sections, and contact on curved columns: in process and behind a daemon to the last bit.
+// Tests bodies by their cross-sections, and contact on curved columns, in process and with a daemon to the last bit.
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
@@ -40,7 +40,8 @@ void set_grid(contactd_contact* c) {
     set_word(c, ics + ".body", "longitudinally_uniform");
 }
 
-/// A rigid body that fits a section but for a rise along and across, on half-spaces that turn from column to column.
+/// Creates a rigid body that fits a section except for a rise along and across, on half-spaces that rotate from column
+/// to column.
 void set_contact(contactd_contact* c, const std::function<void(contactd_contact*)>& section) {
     set_grid(c);
     section(c);
@@ -94,7 +95,7 @@ void set_line(contactd_contact* c, int part, double y, double z, bool clamped = 
     set(c, path + ".clamped", clamped);
 }
 
-/// A block whose top rises as a spline, with a hole in it.
+/// Creates a block with a spline as its top, and a hole.
 void set_outline(contactd_contact* c) {
     const std::string outline = section_path + ".outline", hole = outline + ".holes[0]";
     set_array(c, outline + ".outside.start", {-20, 0});

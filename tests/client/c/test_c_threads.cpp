@@ -1,4 +1,4 @@
-// Threads, cancellation, timeouts, the log and forks of the C interface.
+// Tests threads, cancellation, timeouts, the log and forks of the C interface.
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 
@@ -199,6 +199,6 @@ TEST_CASE("A forked process makes contacts of its own, and leaves those of its p
     REQUIRE(::waitpid(child, &status, 0) == child);
     CHECK(WIFEXITED(status));
     CHECK(WEXITSTATUS(status) == 0);
-    CHECK(stepped(contact).pmax == Approx(first.pmax));  // still there; it starts from the step before
+    CHECK(stepped(contact).pmax == Approx(first.pmax));  // it still exists and starts from the previous step
 }
 #endif

@@ -1,4 +1,4 @@
-// The wheels of a vehicle with a daemon: one message a step.
+// Tests the wheels of a vehicle with a daemon, which take one message per step.
 #include <catch2/catch_test_macros.hpp>
 
 #include <atomic>
@@ -19,7 +19,7 @@ namespace {
 
 constexpr int count = 3;
 
-/// A daemon, the wheels of a vehicle that it solves, and who watches it.
+/// Holds a daemon, the wheels of a vehicle, and an observing client.
 struct Vehicle {
     Vehicle() {
         for (int i = 0; i < count; ++i) {
@@ -46,7 +46,7 @@ TEST_CASE("The wheels of a vehicle send a daemon one message a step", "[c]") {
     const long long before = vehicle.requests();
     for (contactd_wheel* w : vehicle.handles) set(w, "state.Fz", 1.1e4);
     REQUIRE(vehicle.solve() == CONTACTD_OK);
-    CHECK(vehicle.requests() - before == 2);  // and one of who watches
+    CHECK(vehicle.requests() - before == 2);  // and one of the observer
     for (contactd_wheel* w : vehicle.handles) CHECK(std::abs(get(w, "forces.track.Fz") - 1.1e4) < 0.1);
 }
 

@@ -1,4 +1,4 @@
-"""Programs of wheels on rails, in C and in Octave: they answer as Python does."""
+"""Tests programs of wheels on rails, in C and in Octave, against Python."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-// What the C interface refuses of wheels on rails, whatever comes in. No daemon: nothing here gets as far.
+// Tests refusals of wheels on rails by the C interface for any input, without a daemon.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
 
@@ -144,7 +144,7 @@ TEST_CASE("Of a wheel, what is no number is refused by the path that it has", "[
         refused(contactd_set_array(w, "state.velocity", last, 6), "state.velocity.pitch");
         refused(contactd_wheel_set_timeout(w, bad), "seconds");
     }
-    CHECK(contactd_wheel_solve(w) == CONTACTD_UNAVAILABLE);  // as it was made: no slice, no shape stays behind
+    CHECK(contactd_wheel_solve(w) == CONTACTD_UNAVAILABLE);  // as created: no slice and no shape remains
 }
 
 TEST_CASE("Of a wheel, arrays and keywords that do not fit are refused", "[c]") {

@@ -1,4 +1,4 @@
-// Wheels of the C interface as they go from step to step.
+// Tests sequences of steps of wheels with the C interface.
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,14 +18,14 @@ using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-/// A step of 1 ms of a wheel at 2 m/s.
+/// Makes a step of 1 ms of a wheel at 2 m/s.
 void set_transient(contactd_wheel* w, const char* motion, double y) {
     set_rolling(w, y);
     set_word(w, "state.motion", motion);
     set(w, "state.time_step", 1e-3);
 }
 
-/// Where solves take place: in process, or a daemon of the test's own.
+/// Describes where solves take place: in process, or in a separate daemon.
 class Somewhere {
    public:
     explicit Somewhere(bool inside) : place_(inside ? "local" : daemon_.endpoint()) {}

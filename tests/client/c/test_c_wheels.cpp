@@ -1,4 +1,4 @@
-// Wheels on rails of the C interface: in process and with a daemon to the last bit, and what threads may do with them.
+// Tests wheels on rails with the C interface, in process and with a daemon to the last bit, and their use by threads.
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -109,7 +109,7 @@ const std::vector<Case>& cases() {
 struct Solving {
     explicit Solving(contactd_wheel* wheel)
         : thread([this, wheel] {
-              do {  // the other thread may have its turn just now
+              do {  // the other thread may have its turn now
                   code = contactd_wheel_solve(wheel);
               } while (code == CONTACTD_FAILED_PRECONDITION);
               reason = contactd_last_error(wheel);

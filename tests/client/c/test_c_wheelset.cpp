@@ -1,5 +1,5 @@
-// Both wheels of a wheelset by the C interface: in process and with a daemon to the last bit, as each wheel by itself
-// has them, and what does not go together.
+// Tests both wheels of a wheelset with the C interface, in process and with a daemon, against separate wheels to the
+// last bit, and invalid combinations.
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double velocity = 2000, radius = 460;
 
-/// A right and a left wheel that roll under forces of their own.
+/// Creates a right and a left wheel that roll under separate forces.
 struct Wheelset {
     explicit Wheelset(contactd_connection* place, double y = 4) : right(place), left(place) {
         set_word(left, "setup.side", "left");
@@ -37,7 +37,7 @@ struct Wheelset {
     WheelHandle right, left;
 };
 
-/// What a wheel has of the last solve.
+/// Returns the results of a wheel's last solve.
 Numbers results(contactd_wheel* w) {
     Numbers all;
     const auto take = [&](const std::string& path) {
@@ -81,7 +81,7 @@ TEST_CASE("In process and with a daemon wheelsets have the same answers to the l
         CHECK(results(own.left) == results(remote.left));
         double pressure = 0;
         CHECK(contactd_get_array(own.right, "patches[0].solution.pressure", &pressure, 1) ==
-              CONTACTD_FAILED_PRECONDITION);  // only the left wheel wanted it
+              CONTACTD_FAILED_PRECONDITION);  // only the left wheel requested it
     }
 }
 
@@ -163,7 +163,7 @@ TEST_CASE("Wheels that make no wheelset are refused by the field that is wrong",
     set(left, {{"state.position.y", 4},
                {"state.position.z", -3},
                {"state.position.roll", 0.01},
-               {"state.position.yaw", 2.4e-3 * 4}});  // where to start: may differ
+               {"state.position.yaw", 2.4e-3 * 4}});  // initial values, which may differ
     require_ok(wheelset.solve(), wheelset.right);
     set(left, {{"state.position.y", 3}, {"state.position.yaw", 2.4e-3 * 4}});
     refuses(wheelset, "state.position");
@@ -193,7 +193,7 @@ TEST_CASE("A wheelset is cancelled by either of its wheels, and holds both meanw
         std::atomic<bool> ended = false;
         std::int32_t code = -1;
         std::jthread solving([&] {
-            do {  // the other thread may have its turn just now
+            do {  // the other thread may have its turn now
                 code = wheelset.solve();
             } while (code == CONTACTD_FAILED_PRECONDITION);
             ended = true;

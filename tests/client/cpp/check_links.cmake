@@ -1,4 +1,4 @@
-# Fails when PROGRAM, with everything it links, needs a library of the numerics.
+# Fails if PROGRAM, including everything it links, needs a numerical library.
 find_program(ldd ldd REQUIRED)
 execute_process(COMMAND ${ldd} ${PROGRAM} OUTPUT_VARIABLE libraries COMMAND_ERROR_IS_FATAL ANY)
 foreach(library mfem HYPRE hypre libmpi hdf5 fftw)

@@ -1,4 +1,4 @@
-// A daemon that answers what the test tells it to.
+// Provides a daemon with scripted answers.
 #pragma once
 
 #include <atomic>
@@ -14,12 +14,12 @@
 
 namespace fake {
 
-/// Envelope and frames of a message.
+/// Holds envelope and frames of a message.
 using Frames = contactd::proto::Frames;
 
 class Daemon {
    public:
-    /// Given a request, the messages to send back, in order.
+    /// Returns the messages to send back for a request, in order.
     using Script = std::function<std::vector<Frames>(const nlohmann::json& request, const Frames& frames)>;
 
     explicit Daemon(Script script);

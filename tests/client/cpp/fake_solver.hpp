@@ -1,4 +1,4 @@
-// What a fake daemon answers where the answer is to be a good one.
+// Provides valid answers of a fake daemon.
 #pragma once
 
 #include <string>
@@ -54,7 +54,7 @@ inline std::vector<Frames> echo_gap(const nlohmann::json& request, const Frames&
     return message_of(request, proto::encode_solve_reply(gap_as_pressure(read), read.grid, arrays), arrays);
 }
 
-/// The same for many; fails those without contact.
+/// Does the same for many problems; fails those without contact.
 inline std::vector<Frames> echo_gaps(const nlohmann::json& request, const Frames& frames) {
     std::vector<proto::ResultOrStatus> results;
     for (const auto& problem : request["params"]["problems"]) {

@@ -1,4 +1,4 @@
-// A real daemon of a test's own, in a temporary folder.
+// Provides a real daemon for one test, in a temporary folder.
 #pragma once
 
 #include <catch2/catch_test_macros.hpp>
@@ -14,7 +14,7 @@
 
 #include "support/temporary_folder.hpp"
 
-/// A daemon that is ended with the test.
+/// Ends its daemon with the test.
 class Daemon {
    public:
     Daemon() : endpoint_("ipc://" + (folder_.path() / "socket").string()) {
@@ -25,7 +25,7 @@ class Daemon {
         start();
     }
     const std::string& endpoint() const { return endpoint_; }
-    /// Ends it, and starts another one at the same endpoint, which knows no session.
+    /// Ends it, and starts another one at the same endpoint, which has no sessions.
     void restart() {
         process_.stop(ending());
         process_ = reproc::process();
@@ -46,5 +46,5 @@ class Daemon {
 
     contactd::TemporaryFolder folder_;
     std::string endpoint_;
-    reproc::process process_;  // ended before the folder goes
+    reproc::process process_;  // ended before the folder is removed
 };

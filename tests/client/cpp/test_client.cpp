@@ -1,4 +1,4 @@
-// What the client asks, and how it reads good answers.
+// Tests the client's requests, and how it reads valid answers.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

@@ -1,4 +1,4 @@
-// How a call goes: progress, errors, timeouts, cancellation, and answers that no daemon should give.
+// Tests the course of calls: progress, errors, timeouts, cancellation, and invalid answers.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -187,7 +187,7 @@ TEST_CASE("What cannot be solved or sent is refused before it is sent", "[client
 
 namespace {
 
-/// Never answers; the ids of what was asked and of what was cancelled.
+/// Never answers; records the ids of requests and of cancellations.
 struct Silent {
     std::string asked;
     std::promise<std::string> cancelled;

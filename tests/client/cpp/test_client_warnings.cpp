@@ -1,4 +1,4 @@
-// What answers warn of, and who hears it.
+// Tests warnings in answers, and their receivers.
 #include <catch2/catch_test_macros.hpp>
 
 #include <iostream>
@@ -30,7 +30,7 @@ std::vector<Frames> warn(const json& request, const Frames& frames) {
     return fake::message_of(request, proto::encode_solve_reply(reply, read.grid, arrays), arrays);
 }
 
-/// Of these problems the first and the last warn.
+/// The first and the last of these problems cause warnings.
 std::vector<Frames> warn_of_some(const json& request, const Frames& frames) {
     std::vector<proto::ResultOrStatus> results;
     for (std::size_t i = 0; i < request["params"]["problems"].size(); ++i) {
@@ -45,7 +45,7 @@ std::vector<Frames> warn_of_some(const json& request, const Frames& frames) {
     return {message};
 }
 
-/// Standard error while it lives.
+/// Captures standard error during its lifetime.
 class Heard {
    public:
     Heard() : before_(std::cerr.rdbuf(text_.rdbuf())) {}

@@ -25,7 +25,7 @@ struct Pair {
     Pair() { REQUIRE(::zmq_curve_keypair(open.data(), secret.data()) == 0); }
 };
 
-/// Key files that are gone with the test.
+/// Creates key files that are removed with the test.
 class KeyFiles {
    public:
     fs::path write(const std::string& name, const Pair& keys, bool with_secret) const {
@@ -42,7 +42,7 @@ class KeyFiles {
     const contactd::TemporaryFolder folder_;
 };
 
-/// A socket that shakes hands, without or with encryption, and never answers.
+/// Provides a socket that completes handshakes, without or with encryption, and never answers.
 class Listener {
    public:
     explicit Listener(const Pair* keys) : socket_(context_, zmq::socket_type::router) {

@@ -1,4 +1,4 @@
-// Answers of a wheel on its rail that are not what the protocol says: the client names the field that is wrong.
+// Tests answers of a wheel on its rail that violate the protocol: the client names the invalid field.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -54,7 +54,7 @@ void check_refused(const std::function<void(json& result)>& damage, const std::s
         says);
 }
 
-/// The text of an answer, of which the first `from` has become `to`.
+/// Returns the text of an answer, with the first `from` replaced by `to`.
 auto replaced(const std::string& from, const std::string& to) {
     return [=](const json& request, const json& result) {
         std::string text = fake::reply(request, result);

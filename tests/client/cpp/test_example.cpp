@@ -1,4 +1,4 @@
-// The example against a real daemon in a folder of its own.
+// Tests the example with a real daemon in a temporary folder.
 #include <catch2/catch_approx.hpp>
 #include <catch2/catch_test_macros.hpp>
 

@@ -1,4 +1,4 @@
-// Steps of several sessions in one message, with a real daemon.
+// Tests steps of several sessions in one message, with a real daemon.
 #include <catch2/catch_test_macros.hpp>
 
 #include "contactd/client/session.hpp"

@@ -1,4 +1,4 @@
-// A program that spreads its contacts over threads by OpenMP.
+// Tests a program that distributes its contacts over threads by OpenMP.
 #include <catch2/catch_test_macros.hpp>
 
 #include <omp.h>

@@ -1,4 +1,4 @@
-// Clients and sessions in several threads and in forked processes: right answers or a clear error.
+// Tests clients and sessions in several threads and in forked processes: correct answers or a clear error.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -29,7 +29,7 @@ namespace {
 
 const json healthy{{"state", "serving"}};
 
-/// The exit status of a process that is forked for `act`; 99 when that throws.
+/// Returns the exit status of a process forked for `act`; 99 if it throws.
 int in_fork(const std::function<int()>& act) {
     const pid_t child = ::fork();
     if (child == 0) {
@@ -49,7 +49,7 @@ std::vector<Frames> serving(const json& request, const Frames&) {
     return {{fake::reply(request, healthy)}};
 }
 
-/// A session of its own grid, and a step number that it keeps.
+/// Holds a session with its own grid, and its step number.
 std::vector<Frames> stepping(const json& request, const Frames&) {
     const std::string method = request["method"];
     if (method == "session.open")

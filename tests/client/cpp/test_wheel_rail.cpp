@@ -1,4 +1,4 @@
-// What the client sends of a wheel on a rail, and what it makes of the answer.
+// Tests messages for a wheel on a rail, and the reading of answers.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>

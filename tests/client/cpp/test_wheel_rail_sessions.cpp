@@ -1,4 +1,4 @@
-// Sessions of wheels on rails, with a real daemon.
+// Tests sessions of wheels on rails, with a real daemon.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

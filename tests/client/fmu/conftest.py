@@ -1,4 +1,4 @@
-"""Fixtures of FMUs. Their tests are left out where ./dev found no PyPI to get FMI's headers from."""
+"""Provides fixtures of FMUs. Their tests are skipped if ./dev could not get FMI's headers from PyPI."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""PACKAGES ARCHIVE KIND TOKEN VALUES REFERENCES: one step of an FMU by fmuloader; as run_libcosim.py."""
+"""Makes one step of an FMU by fmuloader (PACKAGES ARCHIVE KIND TOKEN VALUES REFERENCES), like run_libcosim.py."""
 
 import json
 import sys

@@ -1,5 +1,5 @@
-"""PACKAGES ARCHIVE VALUES REFERENCES: one step of an FMU by libcosim; prints the reals of the references
-as JSON behind the word values, among what libcosim prints.
+"""Makes one step of an FMU by libcosim (PACKAGES ARCHIVE VALUES REFERENCES). Prints the reals of the references as
+JSON after the word values, among the output of libcosim.
 
 VALUES is a list of [type, reference, value].
 """

@@ -1,4 +1,4 @@
-"""The plain contact as an FMU."""
+"""Tests the plain contact as an FMU."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ def c_answers(direct):
 
 
 def set_up(direct, model="full"):
-    """As an FMU is without parameters."""
+    """Describes an FMU without parameters."""
     direct.set({"grid.nx": 25, "grid.ny": 25, "grid.dx": 0.56, "grid.dy": 0.56})
     direct.set({"bodies.upper.G": 82000, "bodies.upper.nu": 0.28, "bodies.lower.G": 82000, "bodies.lower.nu": 0.28})
     direct.set_word("model", model)
@@ -40,7 +40,7 @@ def test_rolling_steps_are_those_of_the_c_interface_to_the_last_bit(contact, mod
 
 
 def test_transient_rolling_goes_as_far_as_the_step_does(contact):
-    """Steps of 0.5, 1.25 and 3 elements: the last ones take two and three steps of rolling."""
+    """Makes steps of 0.5, 1.25 and 3 elements: the last ones take two and three steps of rolling."""
     fmu = contact().start({"motion.kind": 1, "motion.velocity": 560.0})
     with c_interface.contact() as direct:
         set_up(direct)
@@ -86,7 +86,7 @@ def test_a_creepage_is_found_for_a_force(contact):
 
 
 def test_a_layer_a_rigid_body_and_falling_friction_are_taken(contact):
-    """The same as the C interface does with them."""
+    """Does the same as the C interface."""
     fmu = contact().start({
         "upper.rigid": True, "lower.coefficients": 3, "lower.layer.thickness": 0.8, "lower.layer.G": 40000.0,
         "friction.kinetic.law": 2, "grid.nx": 15, "grid.ny": 15,
@@ -129,7 +129,7 @@ def test_temperatures_and_friction_that_follows_them_are_those_of_the_c_interfac
 
 
 def test_bodies_that_creep_are_taken(contact):
-    """The same as the C interface does with them."""
+    """Does the same as the C interface."""
     bodies = {f"{body}.{name}": value for body in ("upper", "lower") for name, value in
               {"coefficients": 4, "G": 1143.0, "nu": 0.4, "viscoelastic.f": 1.0, "viscoelastic.tau": 2e-4}.items()}  # fmt: skip
     fmu = contact().start({**bodies, "grid.nx": 15, "grid.ny": 15, "grid.dx": 0.8, "grid.dy": 0.8})

@@ -1,4 +1,4 @@
-"""FMUs whose contacts a daemon solves."""
+"""Tests FMUs whose contacts a daemon solves."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_nobody_listens(contact, wheel, tmp_path):
 @pytest.mark.parametrize("end", [signal.SIGKILL, signal.SIGSTOP], ids=["killed", "stopped"])
 @pytest.mark.parametrize("kind", ["contact", "wheel"])
 def test_a_daemon_that_goes_in_mid_run_is_an_error_and_a_sentence(contact, wheel, daemons, kind, end):
-    """Within the limit, or the test's own is over; and so is giving the instance back."""
+    """It must end within the limit, and so must freeing the instance."""
     from fmpy.fmi1 import FMICallException
 
     fmu = {"contact": contact, "wheel": wheel}[kind]()
@@ -98,7 +98,7 @@ def test_an_instance_that_is_given_back_leaves_no_session(contact, daemons):
 
 
 def test_a_step_beyond_its_limit_ends(contact):
-    """In process: no machine solves a contact of 300 x 300 elements within 2 ms."""
+    """It must be solved in process, where no machine solves a contact of 300 x 300 elements within 2 ms."""
     from fmpy.fmi1 import FMICallException
 
     fmu = contact()

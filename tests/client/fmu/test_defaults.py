@@ -1,4 +1,4 @@
-"""What FMUs start with is what the schemas declare, where both have the same."""
+"""Tests that the start values of FMUs are the defaults of the schemas."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ WHEEL = {
         f"wheelset.{name}": (*SETUP, "wheelset", "properties", name)
         for name in ("flange_back_distance", "flange_back_position", "nominal_radius")
     },
-    # position.z has no default: a message names it or Fz.
+    # position.z has no default: a message must contain it or Fz.
     **{f"position.{name}": (*STATE, "position", "properties", name) for name in ("x", "y", "roll", "yaw")},
     **{f"deviation.{name}": (*STATE, "rail", "properties", name) for name in ("y", "z", "roll")},
     **{f"deviation_rate.{name}": (*STATE, "rail", "properties", f"{name}_velocity") for name in ("y", "z", "roll")},

@@ -1,4 +1,4 @@
-"""What many steps leave behind: nothing."""
+"""Tests that many steps leave no memory behind."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def resident_bytes():
 
 
 def run(fmu, steps, vary):
-    """Steps, every tenth of them taken back once, as masters do."""
+    """Makes steps, every tenth of them reset once, like masters."""
     for k in range(steps):
         state = fmu.slave.getFMUState() if k % 10 == 0 else None
         for _ in range(2 if state else 1):

@@ -1,4 +1,4 @@
-"""What the archives say of themselves."""
+"""Tests the descriptions in the archives."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def test_they_can_do_what_the_page_says(kind, fmi):
 
 @pytest.mark.parametrize("fmi", VERSIONS)
 def test_the_shared_object_has_all_functions_of_the_headers_and_nothing_else(fmi):
-    """Importers look for functions that co-simulation does not need, too."""
+    """Importers also look up functions that co-simulation does not need."""
     header = (PACKAGES / "fmpy" / "c-code" / f"fmi{fmi}Functions.h").read_text()
     declared = set(re.findall(rf"^ *FMI{fmi}_Export .* (fmi{fmi}\w+);", header, re.MULTILINE))
     library = BIN.parent / "lib" / "fmu" / "contactd_fmu.so"

@@ -1,4 +1,4 @@
-"""Importers of others: libcosim for FMI 2 (libcosimpy), fmuloader for FMI 3."""
+"""Tests other importers: libcosim for FMI 2 (libcosimpy), fmuloader for FMI 3."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from support.fmus import PACKAGES, archive
 from support.slowness import SLOWER
 
 HERE = Path(__file__).parent
-#: Without enumerations, which libcosim does not know: their numbers stand for them.
+#: Numbers replace enumerations, which libcosim does not support.
 CASES = {
     "contactd_contact": (
         {"grid.nx": 15, "grid.ny": 15, "load.Fn": 40e3, "motion.xi": 1e-3, "model_number": 1}, ("Fx", "pmax")
@@ -26,7 +26,7 @@ CASES = {
 
 
 def by_another(script, *arguments):
-    """The values that it prints: in a process of its own, which may go down as it likes."""
+    """Returns the printed values of a separate process, which may crash."""
     ended = subprocess.run(
         [sys.executable, HERE / script, str(PACKAGES), *map(str, arguments)],
         capture_output=True, text=True, timeout=50 * SLOWER,

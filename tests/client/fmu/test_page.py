@@ -1,4 +1,4 @@
-"""docs/fmu.md: its programs run, and its tables are those of the lists."""
+"""Tests docs/fmu.md: its programs run, and its tables are those of the lists."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""Mistakes get an error and a sentence that names the variable, the value and what would be right. Nothing crashes."""
+"""Tests that mistakes cause an error and a message that names the variable, the value and valid values. Nothing
+crashes."""
 
 from __future__ import annotations
 
@@ -141,7 +142,7 @@ def test_derivatives_that_there_are_not(contact, refused):
 
 
 def test_another_shared_object(instances):
-    """The model description of one kind, and what lies in another."""
+    """Returns the model description of one kind, with the contents of another."""
     fmu = instances("contactd_contact", 2)
     assert "{contactd_contact-" in fmu.description.guid
     fmu.slave.guid = "{another}"

@@ -1,4 +1,4 @@
-"""What an FMU is before its first step, what it refuses at its start, how time goes on, and how instances end."""
+"""Tests an FMU before its first step, refusals at its start, the progress of time, and the end of instances."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ ROLLING_ON, SHIFT = {"motion.kind": 1}, {"motion.kind": 2}
 
 
 def started(fmu, values):
-    """Its outputs before any step."""
+    """Returns its outputs before any step."""
     return fmu.start(values).outputs()
 
 
@@ -135,7 +135,7 @@ def roof(tmp_path):
 
 
 def test_a_wheel_whose_force_is_missed_is_discarded_or_told(wheel, refused, roof):
-    at = {"load.Fz": 1e7, "position.y": 5.0}  # more than the roof takes
+    at = {"load.Fz": 1e7, "position.y": 5.0}  # more than the roof carries
     fmu = wheel().start(roof)
     before = fmu.outputs()
     fmu.set(at)
@@ -158,9 +158,9 @@ def test_time_goes_forward(contact, wheel, refused):
         fmu.step()
         fmu.go_back(state, 3e-3)
         fmu.step()
-        fmu.time *= 1 + 1e-14  # rounding of masters that multiply
+        fmu.time *= 1 + 1e-14  # rounding errors of masters that multiply
         fmu.step()
-        fmu.go_back(state, 0.0)  # a state may be gone on from at any time
+        fmu.go_back(state, 0.0)  # a state may be continued at any time
         fmu.step()
         refused(fmu, lambda fmu=fmu: fmu.slave.doStep(0.0, 1e-3), "past", "0.001")
 
@@ -214,7 +214,7 @@ def test_a_state_that_is_freed_twice_or_used_afterwards_is_refused(contact, refu
 
 
 def test_enumerations_are_numbers_too(wheel, contact, refused):
-    """For importers that know no enumerations."""
+    """It serves importers that do not support enumerations."""
     for fmu in (wheel(), contact()):
         words = {name for name, variable in fmu.variables.items() if variable.type == "Enumeration"}
         numbers = {name for name in fmu.variables if name.endswith("_number")}
@@ -228,7 +228,7 @@ def test_enumerations_are_numbers_too(wheel, contact, refused):
 
 @pytest.mark.parametrize("order", [1, -1], ids=["the enumeration first", "the number first"])
 def test_a_number_is_taken_in_the_place_of_its_enumeration_whatever_is_set_last(wheel, order):
-    """Importers set all parameters, also those that nobody has changed, in an order of their own."""
+    """Importers set all parameters, including unchanged ones, in any order."""
     same = wheel(name="same").start({**COARSE, "side": 0}).step({"position.y": -2.0})
     right = wheel(name="right").start(COARSE).step({"position.y": 2.0})
     for at, told in enumerate(({"side": 1, "side_number": 0}, {"side": 0, "side_number": -1}, {"side_number": 0})):

@@ -1,4 +1,4 @@
-"""States of an FMU: taken, gone back to, written down, and read by others."""
+"""Tests states of an FMU: saved, restored, serialized, and read by other instances."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_a_state_that_was_just_restored_can_be_taken(contact):
 
 
 def test_a_step_is_tried_again_in_halves(contact):
-    """As masters with variable steps do."""
+    """Behaves like masters with variable steps."""
     fmu = contact().start({**SMALL, **KINDS["transient"]})
     reference = contact(name="reference").start({**SMALL, **KINDS["transient"]})
     run(fmu, range(2)), run(reference, range(2))

@@ -1,4 +1,4 @@
-"""A wheel on its rail as an FMU."""
+"""Tests a wheel on its rail as an FMU."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def test_profiles_come_from_a_path_or_the_resources(wheel, tmp_path):
 
 
 def test_names_that_lead_out_of_the_resources_are_refused(wheel, refused, tmp_path):
-    """Also by links, and in lists of slices that the FMU brings, there by whole paths, too."""
+    """They may be links, and lists of slices of the FMU may contain whole paths."""
     fmu = wheel(name="outside")
     resources = tmp_path / f"contactd_wheel_fmi{fmu.fmi}" / "resources"
     write_arc(resources.parent / "secret.txt")
@@ -112,7 +112,7 @@ def test_names_that_lead_out_of_the_resources_are_refused(wheel, refused, tmp_pa
 
 
 def test_names_of_profiles_are_taken_as_they_are_meant(wheel, tmp_path):
-    """In any case, with spaces, as URIs, and with the slashes of other systems."""
+    """Names may have any case, spaces, URIs, and slashes of other systems."""
     usual = wheel(name="usual").start(COARSE).step(values_at(1))
     for at, names in enumerate((("s1002", "60e1"), (" S 1002 ", "60 E1"), ("S1002\n", "60E1 "), ("S1002", "uic60"))):
         told = dict(zip(("wheel.profile", "rail.profile"), names, strict=True))
@@ -170,7 +170,7 @@ def test_ten_wheels_at_once_do_not_meet(wheel):
 
 
 def test_derivatives_under_a_force_hold_the_force(wheel):
-    """And not the height: those of steps beside each other."""
+    """The height is excluded, which differs between adjacent steps."""
     fmu = wheel().start({**COARSE, "model": 2, "tolerances.force": 1e-10})
     position = {**values_at(1), "load.Fz": 80e3}
     fmu.step(position)
@@ -211,7 +211,7 @@ def test_an_out_of_round_wheel_goes_down_over_its_flat(wheel, tmp_path):
         (tmp_path / f"slice {k}.txt").write_text(f"-40 {-depth}\n0 {-depth}\n40 {-depth}\n")
     flat = tmp_path / "flat.txt"
     flat.write_text("".join(f"{angle} slice {k}.txt\n" for k, angle in enumerate(depths)) + "\n")
-    slices = {"wheel.slices": str(flat), "wheel.mirror_z_number": 1}  # flat lines do not show which way z points
+    slices = {"wheel.slices": str(flat), "wheel.mirror_z_number": 1}  # flat lines do not show the direction of z
     fmu = wheel().start({**COARSE, "model": 2, "rail.profile": "arc", "track.by_origin": True, **slices})
     on_flat, beside = (fmu.step({**values_at(0), "position.pitch": pitch}) for pitch in (0.0, 1.0))
     assert on_flat["z"] > beside["z"] + 0.3

@@ -1,4 +1,4 @@
-"""Fixtures of tests of the Python client."""
+"""Provides fixtures of tests of the Python client."""
 
 from pathlib import Path
 
@@ -11,7 +11,7 @@ from support.fake_server import FakeServer
 
 @pytest.fixture(scope="module")
 def client():
-    """One that solves in process."""
+    """Provides a client that solves in process."""
     with contactd.local(in_process=True, config={"workers": 1}) as opened:
         yield opened
 
@@ -28,7 +28,7 @@ def solving_here():
 
 @pytest.fixture
 def fake(tmp_path: Path):
-    """Starts a server with answers of a script, and its client."""
+    """Starts a server with scripted answers, and its client."""
     started = []
 
     def start(script):

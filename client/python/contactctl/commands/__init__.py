@@ -1,1 +1,1 @@
-"""The commands, one module for each family; `add_to` adds them to the program."""
+"""Contains the commands, one module for each family; `add_to` adds them to the program."""

@@ -1,4 +1,4 @@
-"""Host names by which browsers reach the dashboard."""
+"""Determines host names by which browsers reach the dashboard."""
 
 from __future__ import annotations
 

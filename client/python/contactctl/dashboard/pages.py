@@ -1,4 +1,4 @@
-"""The page: data of the watcher in panels that are updated every second."""
+"""Builds the page: data of the watcher in panels that are updated every second."""
 
 from __future__ import annotations
 

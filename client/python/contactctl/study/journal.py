@@ -1,4 +1,4 @@
-"""Rows of a study in a file that only grows: one line each, with its checksum, written at once.
+"""Stores rows of a study in a file that only grows: one line each, with its checksum, written at once.
 
 If the process is killed, the file contains each finished row once, and possibly the beginning of another, which the
 next run removes. Damaged lines are ignored, and their rows are solved again.

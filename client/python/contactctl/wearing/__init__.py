@@ -1,1 +1,1 @@
-"""Wear studies: files that describe them, and the solution and sharing of their states."""
+"""Reads wear studies from files, and solves and shares their states."""

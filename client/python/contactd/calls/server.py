@@ -1,4 +1,4 @@
-"""The daemon: its version, its health and its current work."""
+"""Reports the daemon's version, its health and its current work."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The order of the steps of a session: their numbers, and which thread may use the session."""
+"""Manages the order of the steps of a session: their numbers, and which thread may use the session."""
 
 from __future__ import annotations
 

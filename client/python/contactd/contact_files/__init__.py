@@ -1,4 +1,4 @@
-"""Files of the CONTACT program (docs/contact-files.md).
+"""Reads, computes and writes files of the CONTACT program (docs/contact-files.md).
 
 ::
 

@@ -1,4 +1,5 @@
-"""Files named in cases: profiles, lists of slices and influence coefficients. Their contents are sent to the service."""
+"""Reads files named in cases: profiles, lists of slices and influence coefficients. Their contents are sent to the
+service."""
 
 from __future__ import annotations
 

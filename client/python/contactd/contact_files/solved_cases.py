@@ -1,4 +1,4 @@
-"""The cases of a file after a run: forces, patches and arrays of each, and a comparison with printed results."""
+"""Holds the cases of a file after a run: forces, patches and arrays of each, and a comparison with printed results."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Profile files: read unchanged for the daemon to parse, and written in the formats of other programs."""
+"""Reads profile files unchanged for the daemon to parse, and writes them in the formats of other programs."""
 
 from __future__ import annotations
 

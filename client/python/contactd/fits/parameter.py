@@ -1,4 +1,4 @@
-"""A varied parameter; its position between its bounds is a number from 0 to 1."""
+"""Describes a varied parameter; its position between its bounds is a number from 0 to 1."""
 
 from __future__ import annotations
 

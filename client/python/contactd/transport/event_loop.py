@@ -1,4 +1,4 @@
-"""One DEALER socket in an event loop, which carries the exchanges of many requests."""
+"""Uses one DEALER socket in an event loop, which carries the exchanges of many requests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The client shared by functions such as `contactd.solve`: one per process, opened by the first call."""
+"""Provides the client shared by functions such as `contactd.solve`: one per process, opened by the first call."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Temporary folders, which are removed with the process that created them or by a later one."""
+"""Creates temporary folders, which are removed with the process that created them or by a later one."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Immutable values that users create and receive, and their forms on the wire."""
+"""Defines immutable values that users create and receive, and their forms on the wire."""

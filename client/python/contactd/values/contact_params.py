@@ -1,4 +1,5 @@
-"""Contact problems on the wire: the parameters of contact.solve and their parts in sessions, tables and stresses."""
+"""Writes contact problems on the wire: the parameters of contact.solve and their parts in sessions, tables and
+stresses."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Registry of methods of values that other parts of this package implement, such as plots. Functions are registered by
+"""Registers methods of values that other parts of this package implement, such as plots. Functions are registered by
 name, and their modules are imported on first use.
 
 contactd fills it from contactd.extras on import.

@@ -1,5 +1,5 @@
-"""Tables of influence coefficients: those of a body, returned by the daemon, and those that the caller provides. Arrays
-are read-only.
+"""Defines tables of influence coefficients: those of a body, returned by the daemon, and those that the caller
+provides. Arrays are read-only.
 """
 
 from __future__ import annotations

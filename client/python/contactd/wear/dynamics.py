@@ -1,5 +1,5 @@
-"""The loop of vehicle dynamics and wear: a simulation on the current profiles yields states, wear steps change the
-profiles, and the simulation is repeated.
+"""Runs the loop of vehicle dynamics and wear: a simulation on the current profiles yields states, wear steps change
+the profiles, and the simulation is repeated.
 """
 
 from __future__ import annotations

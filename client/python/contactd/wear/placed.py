@@ -1,4 +1,4 @@
-"""Positions of the profiles of a study, computed by the daemon for the new ones; they are not changed later."""
+"""Keeps positions of the profiles of a study, computed by the daemon for the new ones; they are not changed later."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Depth and smoothing of steps for which no groove grows.
+"""Determines depth and smoothing of steps for which no groove grows.
 
 A groove z' reduces the relative pressure by pi E* z'/(L pm) if its wavelength L is shorter than the rows of a contact.
 For longer waves, the row acts as a line load, and its stiffness hardly decreases: L is replaced by 2 l log(1 + L/(2

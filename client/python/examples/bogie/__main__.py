@@ -1,4 +1,4 @@
-"""A bogie on a track: a multibody simulation of two wheelsets, with four wheels on rails by contactd. See
+"""Simulates a bogie on a track: a multibody model of two wheelsets, with four wheels on rails by contactd. See
 docs/bogie.md.
 
 Run: python3 client/python/examples/bogie [--daemon] [--integrator runge-kutta] [--output FOLDER] [--curve] [--search 60 100]

@@ -1,4 +1,4 @@
-"""Bounds that the demo must meet to end with status 0, and their sources."""
+"""Defines bounds that the demo must meet to end with status 0, and their sources."""
 
 from __future__ import annotations
 

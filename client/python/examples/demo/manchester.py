@@ -1,5 +1,5 @@
-"""The Manchester contact benchmark, case A-2.2: a wheelset with S1002 wheels on 60E1 rails at 1/40 that moves 10 mm to
-the right and yaws by 2.4 mrad/mm, with results printed by an established program.
+"""Describes the Manchester contact benchmark, case A-2.2: a wheelset with S1002 wheels on 60E1 rails at 1/40 that
+moves 10 mm to the right and yaws by 2.4 mrad/mm, with results printed by an established program.
 
 Fz = 10 kN a wheel, G = 82000 N/mm^2, nu = 0.28, mu = 0.3, 2000 mm/s, elements of 0.2 x 0.2 mm.
 """

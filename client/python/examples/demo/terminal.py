@@ -1,4 +1,5 @@
-"""Terminal output: sections, aligned rows, a progress bar. Colours and redrawing are used in a terminal only."""
+"""Formats terminal output: sections, aligned rows, a progress bar. Colours and redrawing are used in a terminal
+only."""
 
 from __future__ import annotations
 

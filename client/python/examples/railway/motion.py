@@ -1,4 +1,5 @@
-"""Position and motion of a wheelset in contactd's terms. Units: mm, s, N, and t for masses, so that forces are in N."""
+"""Describes position and motion of a wheelset in contactd's terms. Units: mm, s, N, and t for masses, so that forces
+are in N."""
 
 from __future__ import annotations
 

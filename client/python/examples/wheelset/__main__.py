@@ -1,4 +1,4 @@
-"""Hunting of a railway wheelset: a multibody simulation with S1002 wheels on 60E1 rails by contactd. See
+"""Simulates hunting of a railway wheelset: a multibody model with S1002 wheels on 60E1 rails by contactd. See
 docs/wheelset.md.
 
 Run: python3 client/python/examples/wheelset [--endpoint ENDPOINT] [--integrator runge-kutta] [--output FOLDER] ...

@@ -1,4 +1,4 @@
-// Warnings about surface heights that are probably in micrometres or in metres.
+// Creates warnings about surface heights that are probably in micrometres or in metres.
 #pragma once
 
 #include <string>

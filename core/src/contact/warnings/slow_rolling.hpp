@@ -1,4 +1,4 @@
-// Warnings about rolling that is too slow for its friction law, as with a velocity in m/s.
+// Creates warnings about rolling that is too slow for its friction law, as with a velocity in m/s.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Warnings about magnitudes that no contact has, and which are probably in another unit.
+// Creates warnings about magnitudes that no contact has, and which are probably in another unit.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/* Uses what is installed: succeeds when the library says that nobody listens. */
+/* Uses the installed library, and succeeds if the library reports that no daemon listens. */
 #include <contactd.h>
 #include <contactd/paths.h>
 

@@ -1,4 +1,4 @@
-// Uses what is installed: succeeds when the client says that nobody listens.
+// Uses the installed client, and succeeds if the client reports that no daemon listens.
 #include <chrono>
 
 #include <contactd/client/client.hpp>

@@ -1,4 +1,4 @@
-"""Printed numbers read from .out files, and what differs from them."""
+"""Tests printed numbers read from .out files, and differences from them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Numbers as the CONTACT program prints them."""
+"""Tests numbers as the CONTACT program prints them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Cases of the CONTACT program as problems of contactd, by contact_file.convert."""
+"""Tests the conversion of cases of the CONTACT program to problems by contact_file.convert."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def test_a_hertzian_box_is_as_large_as_its_scale_says(made) -> None:
 def test_a_line_of_a_given_length_ends_there(made) -> None:
     line = {"IPOTCN": -5, "MX": 10, "MY": 7, "AA": 0.5, "BB": 10.0}
     problem = made(**line, SCALE=1.5)
-    assert problem["grid"]["dy"] == pytest.approx(20 / 5)  # 7/1.5 is nearest to 5, which is odd as 7 is
+    assert problem["grid"]["dy"] == pytest.approx(20 / 5)  # 7/1.5 is nearest to 5, which is odd like 7
     h = gap_of(problem)
     assert (h[[0, -1]] >= FAR).all() and (h[1:-1] < 1).all()
     assert made(**line, SCALE=1.0)["grid"]["dy"] == pytest.approx(20 / 7)
@@ -316,7 +316,7 @@ def test_pressures_are_prescribed_over_an_ellipse_or_two_halves(made) -> None:
     halves = made(B=4, IPOTCN=-6, AA=4.0, BNEG=1.0, BPOS=3.0, SCALE=1.1, MX=12, MY=10)
     assert (halves["normal_model"], [*halves["gap"]]) == ("elliptic", ["half_ellipses"])
     assert sorted(halves["gap"]["half_ellipses"].values()) == [1, 3, 4]
-    assert made(B=2, M=3, **SLOPE)["normal_model"] == "of_model"  # FASTSIM is bounded by it
+    assert made(B=2, M=3, **SLOPE)["normal_model"] == "of_model"  # it bounds FASTSIM
 
 
 @pytest.mark.parametrize("cant", [0.0, 0.025])

@@ -1,4 +1,4 @@
-"""Cases that are refused or wrong, each with its sentence."""
+"""Tests cases that are refused or invalid, each with its message."""
 
 from __future__ import annotations
 

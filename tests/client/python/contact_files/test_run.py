@@ -1,4 +1,4 @@
-"""A whole input file of the CONTACT program in one call, and its comparison with what was printed."""
+"""Tests a whole input file of the CONTACT program in one call, and its comparison with printed results."""
 
 from __future__ import annotations
 

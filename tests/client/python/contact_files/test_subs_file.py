@@ -1,4 +1,4 @@
-"""The file of points below the surface, and its largest stresses."""
+"""Tests the file of subsurface points, and its largest stresses."""
 
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ def test_a_file_of_points_has_x_fastest_and_one_width() -> None:
     assert table[0, :3].tolist() == [3, 1, 2]
     assert table[1:4, :3].tolist() == [[-1, 0.5, -2], [0, 0.5, -2], [1, 0.5, -2]]
     assert table[6, 8] == 4 and table[2, 13] == -7 and table[4, 10] == 1.5
-    assert table[4, 7] == pytest.approx(np.sqrt(3) * 1.5, rel=1e-5)  # von Mises' stress of shear
+    assert table[4, 7] == pytest.approx(np.sqrt(3) * 1.5, rel=1e-5)  # von Mises stress of shear
     assert np.loadtxt(subs_text([field()], all_components=False).splitlines(), comments="%").shape == (7, 8)
 
 

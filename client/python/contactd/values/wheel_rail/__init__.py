@@ -1,1 +1,1 @@
-"""Values of a wheel on its rail. Import them from contactd.wheel_rail."""
+"""Defines values of a wheel on its rail. Import them from contactd.wheel_rail."""

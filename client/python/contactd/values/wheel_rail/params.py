@@ -1,4 +1,4 @@
-"""A wheel on a rail in its form on the wire. The daemon checks bounds."""
+"""Writes a wheel on a rail in its form on the wire. The daemon checks bounds."""
 
 from __future__ import annotations
 

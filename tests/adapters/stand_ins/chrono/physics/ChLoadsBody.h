@@ -1,4 +1,4 @@
-// The part of Project Chrono 9 that wheelset_on_track.hpp takes, with the names and arguments of its headers
+// Replaces the part of Project Chrono 9 that wheelset_on_track.hpp uses, with the names and arguments of its headers
 // ChLoadsBody.h, ChFrameMoving.h and ChVector3.h. Chrono is not among the packages.
 #pragma once
 
