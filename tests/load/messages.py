@@ -1,4 +1,4 @@
-"""Random requests: made from the schemas that server.describe returns, then damaged."""
+"""Creates random requests from the schemas of server.describe, and damages them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
-#: Values that are wrong nearly everywhere.
+#: Values that are invalid nearly everywhere.
 ODD_VALUES: list[Any] = [
     None, True, False, "", "text", "\u0000", "\ud83d\ude80", "e\u0301" * 40, "x" * 3000, -1, 0, 1, 0.5, -0.0, 5e-324, 1e308, 2**31, 2**53 + 1,
     2**63, 10**30, [], {}, [[]], [None], [1, [2]], {"": 1}, {"$array": 1}, {"$array": {"frame": 1, "dtype": "<f8", "shape": [1]}},
@@ -18,10 +18,10 @@ ODD_VALUES: list[Any] = [
 ]  # fmt: skip
 ODD_FRAMES = [b"", b"\0", b"x" * 7, struct.pack("<d", float("nan")), struct.pack("<d", float("inf")), b"\xff" * 800, bytes(5000)]
 MAX_DEPTH = 8
-#: Damage reaches so many places of a list.
+#: Damage affects this number of places of a list.
 LONG_LIST = 50
 SESSION_GRID = (3, 2)
-#: What a session is opened with so that steps and states have one to go to.
+#: Parameters with which a session is opened, so that steps and states have one.
 SESSION: dict[str, Any] = {
     "grid": {"nx": SESSION_GRID[0], "ny": SESSION_GRID[1], "dx": 0.5, "dy": 0.5}, "bodies": {"upper": {"G": 200, "nu": 0.42}},
     "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 50, "Ry": 50}}, "approach": 0.02, "lease_seconds": 10,
@@ -31,35 +31,35 @@ SESSION: dict[str, Any] = {
 
 @dataclass
 class Message:
-    """A request before it is sent: the envelope as text, since damaged text is part of the game."""
+    """Holds a request before it is sent, with the envelope as text, because texts may be damaged."""
 
     text: bytes
     frames: list[bytes] = field(default_factory=list)
 
     def __str__(self) -> str:
-        """Enough of it to find it again."""
+        """Returns a part of it that identifies it."""
         return f"{self.text[:600]!r} ({len(self.text)} bytes), frames of {[len(frame) for frame in self.frames][:10]} bytes"
 
 
 class Messages:
-    """`document` is what server.describe returned. Grids have up to 36 elements."""
+    """`document` is the result of server.describe. Grids have up to 36 elements."""
 
-    # Twice max_frame_bytes costs a sender its connection, which is another test.
+    # A message of twice max_frame_bytes would end the connection, which another test covers.
     max_bytes = 100_000
     timeouts_ms = (1, 50, 200, 1000)
 
     def __init__(self, document: dict[str, Any], seed: int) -> None:
         self._schemas = document["components"]["schemas"]
-        # A watch is answered when its deadline passes, and damage may take the deadline away.
+        # A watch is answered at its deadline, and damage may remove the deadline.
         self.methods = [method["name"] for method in document["methods"] if method["name"] != "health.watch"]
         self._random = random.Random(seed)
         self._grid = (1, 1)
         self._frames: list[bytes] = []
-        #: Names of open sessions, for messages that speak of one.
+        #: Names of open sessions, for messages that refer to one.
         self.sessions: list[str] = []
 
     def next(self, name: str) -> Message:
-        """A request whose id is `name` unless the damage took it."""
+        """Creates a request whose id is `name` unless it was damaged."""
         while True:
             message = self._next(name)
             if max(map(len, [message.text, *message.frames])) <= self.max_bytes:
@@ -76,7 +76,7 @@ class Messages:
         envelope = {"contactd": 1, "id": name, "method": method, "params": params}
         if choose.random() < 0.3:
             envelope["arrays"] = choose.choice(["frame", "list"])
-        # A deadline, since small problems can take long, too: transient rolling of 100,000 steps.
+        # Adds a deadline, because small problems can also take long, such as transient rolling of 100,000 steps.
         envelope["timeout_ms"] = choose.choice(self.timeouts_ms)
         frames = self._frames
         self._damage_some(envelope)
@@ -100,7 +100,7 @@ class Messages:
     # --- from the schemas ---------------------------------------------------------------------------------------------
 
     def value(self, schema: Any, name: str = "", depth: int = 0) -> Any:
-        """A value that the schema would mostly take."""
+        """Creates a value that the schema would usually accept."""
         choose = self._random
         while isinstance(schema, dict) and "$ref" in schema:
             schema = self._resolve(schema["$ref"])
@@ -146,7 +146,7 @@ class Messages:
         choose = self._random
         properties = schema.get("properties", {})
         chosen = set(schema.get("required", []))
-        # Conditions ask for one field of several: "oneOf" of "required"; others are met by luck.
+        # Conditions require one of several fields: "oneOf" of "required"; other conditions are met by chance.
         for alternatives in (schema.get("oneOf"), schema.get("anyOf")):
             if alternatives:
                 chosen |= set(choose.choice(alternatives).get("required", []))
@@ -186,7 +186,7 @@ class Messages:
     # --- damage -------------------------------------------------------------------------------------------------------
 
     def damage(self, envelope: dict[str, Any]) -> None:
-        """Replaces, removes, adds or doubles one value somewhere, mostly among the parameters."""
+        """Replaces, removes, adds or duplicates one value somewhere, mostly among the parameters."""
         choose = self._random
         places: list[tuple[Any, Any]] = []
         params = envelope.get("params")
@@ -215,7 +215,7 @@ class Messages:
                 self._collect(node[key], places)
 
     def _some(self, count: int) -> Iterable[int]:
-        """Places of a list, some of one so long that its numbers would be nearly all places of a message."""
+        """Selects places of a list, only some for long lists, whose numbers would otherwise dominate the message."""
         return range(count) if count <= LONG_LIST else self._random.sample(range(count), LONG_LIST)
 
     def _damage_frames(self, frames: list[bytes]) -> None:

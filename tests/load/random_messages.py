@@ -1,12 +1,12 @@
-"""Random messages at a running daemon: each gets exactly one status with its id.
+"""Sends random messages to a running daemon: each gets exactly one status with its id.
 
     ./dev load random [--seconds 600] [--seed 1]                grids as large as the limits allow
     ./dev load random --small [--count 100000]                  grids of 36 elements, ten times as many messages
     ./dev load random --preset sanitize [--small ...]           at a daemon that is built with ASan and UBSan (several times slower)
 
-Requests are made from the schemas of server.describe and damaged (messages.py, large_messages.py). With large grids the
-memory stays within its bound meanwhile, and health is answered soon (large_load.py); small messages leave nothing in
-memory, half of them go through DEALER, half through REQ. The daemon's builder is /bin/false.
+Requests are made from the schemas of server.describe and damaged (messages.py, large_messages.py). With large grids,
+the memory must stay within its bound, and health must be answered soon (large_load.py). Small messages must leave
+nothing in memory; half of them go through DEALER, half through REQ. The daemon's builder is /bin/false.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ BATCH = 32
 
 
 def run(daemon: LocalDaemon, count: int, seed: int) -> Outcome:
-    """Sends `count` messages. Memory is looked at twenty times, first when a twentieth has been sent."""
+    """Sends `count` messages. The memory is checked twenty times, first after a twentieth of them."""
     outcome = Outcome()
     with connected(daemon, zmq.DEALER) as dealer, connected(daemon, zmq.REQ) as req:
         messages = Messages(describe(dealer), seed)
@@ -77,7 +77,7 @@ def main(arguments: list[str]) -> int:
                 report = large_load.run(daemon, options.seconds, options.seed)
                 outcome = report.outcome
         finally:
-            # A sanitizer ends the daemon with its report in the log, of leaks when it ends in order.
+            # A sanitizer ends the daemon with its report in the log; leaks are reported at a normal end.
             if (status := daemon.stop()) != 0:
                 print(f"the daemon ended with status {status}; the end of its log:\n{daemon.log[-5000:]}")
         if status != 0:

@@ -1,4 +1,4 @@
-"""Watches a daemon from a process of its own while others load it: how soon it says its health, and what memory it takes.
+"""Watches a loaded daemon from a separate process: the latency of health, and the memory.
 
     python3 -m load.watch ENDPOINT PID    until standard input ends, then one line of JSON
 """
@@ -21,23 +21,23 @@ import zmq
 
 from load.process import resident_bytes
 
-PAUSE = 0.005  # seconds between an answer and the next question
+PAUSE = 0.005  # seconds between an answer and the next request
 TIMEOUT_MS = 60_000
-EVERY = 10  # questions for health to one for what is kept
+EVERY = 10  # health requests per request for the kept bytes
 KEPT = ("contactd_cache_bytes", "contactd_session_bytes")
 
 
 @dataclass
 class Watched:
     latencies_ms: list[float] = field(default_factory=list)
-    #: Each of them has here how long threads of the daemon and of the watch waited for a processor meanwhile.
+    #: Each contains the time that threads of the daemon and of the watch waited for a processor.
     waited_ms: list[float] = field(default_factory=list)
     before: int = 0  # resident bytes
     most: int = 0
-    kept: int = 0  # bytes that the daemon reported to keep in its caches and sessions, at most
+    kept: int = 0  # largest number of bytes that the daemon reported in its caches and sessions
 
     def own_ms(self) -> list[float]:
-        """The latencies without the waits for a processor."""
+        """Holds the latencies without the waits for a processor."""
         return [max(0.0, latency - waited) for latency, waited in zip(self.latencies_ms, self.waited_ms, strict=True)]
 
 
@@ -54,7 +54,8 @@ def kept_bytes(metrics: dict[str, Any]) -> int:
 
 
 def waited_for_processor(*pids: int) -> float:
-    """All threads of some processes together, since they began (ms): one may wait for another that has no processor."""
+    """Sums the waiting times of all threads of some processes since their start (ms), because one may wait for another
+    without a processor."""
     waited = 0
     for task in (task for pid in pids for task in Path(f"/proc/{pid}/task").iterdir()):
         with suppress(FileNotFoundError, ProcessLookupError):  # it has ended
@@ -81,7 +82,7 @@ def watch(endpoint: str, pid: int) -> Watched:
 
 @contextmanager
 def watching(endpoint: str, pid: int) -> Iterator[Watched]:
-    """What was seen is there behind the block."""
+    """Results are available after the block."""
     seen = Watched()
     command = [sys.executable, "-m", "load.watch", endpoint, str(pid)]
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)}

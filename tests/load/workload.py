@@ -1,7 +1,7 @@
-"""Requests whose answers can be checked: everything is linear in a factor that is drawn anew for each.
+"""Creates requests whose answers can be checked, because everything is linear in a random factor.
 
-Gap, approach and rigid shift times s make all tractions and forces s times as large; so do pressures with the stresses below
-them; coefficients go with 1/G. What the factor 1 gives is asked once, before the load begins.
+Gap, approach and rigid shift times s multiply all tractions and forces by s, and so do pressures for stresses;
+coefficients are proportional to 1/G. The results for the factor 1 are requested once, before the load begins.
 """
 
 from __future__ import annotations
@@ -15,13 +15,14 @@ from typing import Any
 import numpy as np
 
 Frames = list[bytes]
-#: Iterative solutions of scaled problems agree far better than their tolerance of 1e-6.
+#: Iterative solutions of scaled problems agree much better than their tolerance of 1e-6.
 AGREEMENT = 1e-5
 
 
 @dataclass(frozen=True)
 class Kind:
-    """One kind of request: its parameters and frames for a factor, and the numbers of the answer that are linear in it."""
+    """Describes one kind of request: its parameters and frames for a factor, and the numbers of the answer that are
+    linear in it."""
 
     name: str
     method: str
@@ -32,7 +33,7 @@ class Kind:
 
 
 def cattaneo(n: int, s: float) -> dict[str, Any]:
-    """The paper's problem on n x n elements."""
+    """Returns the paper's problem on n x n elements."""
     return {
         "grid": {"nx": n, "ny": n, "dx": 2.4 / n, "dy": 2.4 / n},
         "bodies": {"upper": {"G": 200, "nu": 0.42}},
@@ -103,13 +104,13 @@ def request(kind: Kind, name: str, s: float) -> list[bytes]:
 
 
 def draw(choose: random.Random) -> tuple[int, float]:
-    """The number of a kind and a factor."""
+    """Returns the number of a kind and a factor."""
     (kind,) = choose.choices(range(len(KINDS)), [kind.weight for kind in KINDS])
     return kind, choose.uniform(0.5, 2)
 
 
 def is_right(kind: Kind, s: float, result: dict[str, Any], frames: Frames, reference: np.ndarray[Any, Any]) -> bool:
-    """Whether the answer is that to the request with the factor `s`."""
+    """Returns whether the answer belongs to the request with the factor `s`."""
     if kind.method == "server.health":
         return bool(result["state"] == "serving")
     expected = reference / s if kind.inverse else reference * s

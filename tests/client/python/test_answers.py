@@ -1,4 +1,4 @@
-"""Answers as dataclasses, and statuses as exceptions."""
+"""Tests answers as dataclasses, and statuses as exceptions."""
 
 import dataclasses
 import sys
@@ -343,7 +343,7 @@ def test_deadlines_of_both_sides_are_timeouts():
 
 @pytest.mark.skipif(sys.version_info < (3, 12), reason="type statements came with Python 3.12")
 def test_types_of_arrays_may_have_names():
-    """As they do in newer versions of numpy."""
+    """The result is as in newer versions of numpy."""
     names: dict[str, Any] = {"np": np}
     exec("type Numbers[T: np.generic] = np.ndarray[tuple[int, ...], np.dtype[T]]", names)
     kind = dataclasses.make_dataclass("kind", [("a", names["Numbers"][np.float64]), ("b", names["Numbers"][np.uint8] | None)])

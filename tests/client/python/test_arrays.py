@@ -1,4 +1,4 @@
-"""Arrays and numbers to the wire and back."""
+"""Tests arrays and numbers to the wire and back."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""AsyncClient: the calls of Client in an event loop, many at a time, and what it does when they are given up."""
+"""Tests AsyncClient: the calls of Client in an event loop, many at a time, and abandoned calls."""
 
 import asyncio
 import gc
@@ -41,7 +41,7 @@ from support.sessions import STEP, opened
 
 GRID, STEEL = Grid(3, 2, 1, 1), Material(82000, 0.28)
 PROBLEM = ContactProblem(grid=GRID, upper=STEEL, gap=Paraboloid(1, 1), approach=0.1)
-#: What only one of the two needs.
+#: Names that only one of the two needs.
 OWN = {"__enter__", "__exit__", "__aenter__", "__aexit__"}
 
 
@@ -50,7 +50,7 @@ def serving(request):
 
 
 def run(script, act, tmp_path: Path, **options):
-    """What the coroutine function `act` makes of a client whose daemon follows `script`."""
+    """Returns the result of the coroutine function `act` with a client whose daemon follows `script`."""
 
     async def main(endpoint):
         async with AsyncClient(endpoint, **{"timeout": 5, **options}) as client:
@@ -158,7 +158,7 @@ def test_a_thousand_calls_wait_at_once_and_the_daemon_has_a_few_of_them(tmp_path
         most = max(most, len(waiting))
         if len(waiting) < 20:
             return []
-        held, waiting[:] = list(waiting), []  # all at once, the last first
+        held, waiting[:] = list(waiting), []  # all at once, the last one first
         return [one.result({"number": one.params["number"]}) for one in reversed(held)]
 
     async def act(client):
@@ -293,7 +293,7 @@ def test_closing_ends_what_runs(tmp_path):
 
 
 def test_nothing_runs_while_nothing_happens(tmp_path):
-    """The loop turns as often as something comes, not all the time."""
+    """The loop turns once per message, not continuously."""
     turns = 0
 
     async def act(client):
@@ -393,7 +393,7 @@ def test_a_daemon_without_encryption_is_told_and_asked_again(tmp_path):
 
     async def act(endpoint):
         async with AsyncClient(endpoint, server_key=tmp_path / "daemon.key", own_key=own, timeout=20) as client:
-            for _ in range(2):  # on a new socket, since one that was refused never connects again
+            for _ in range(2):  # on a new socket, because a refused one never connects again
                 outcomes = await asyncio.gather(client.health(), client.info(), return_exceptions=True)
                 assert [type(error) for error in outcomes] == [Unauthenticated] * 2, outcomes
                 assert all("the daemon does not use encryption" in str(error) for error in outcomes)

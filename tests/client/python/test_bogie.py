@@ -1,4 +1,5 @@
-"""The multibody part of the example of a bogie, on wheels that are springs: what is known of those, and a second way."""
+"""Tests the multibody part of the example of a bogie with springs as wheels, against known results and a second
+method."""
 
 from __future__ import annotations
 
@@ -11,12 +12,12 @@ from support.wheelset import bogie
 
 __all__ = ["bogie"]
 
-#: y, roll and yaw, and their rates, change their signs in a mirror.
+#: y, roll and yaw, and their rates, change their signs in a mirror image.
 MIRROR = np.array([1, -1, 1, -1, 1, -1, 1, -1, 1, -1, 1, -1])
 
 
 def springy(bogie, stiffness=1e6, across=2e4):
-    """Wheels that are springs down and across, 750 mm beside the middle: what else has the face of contactd's."""
+    """Replaces contactd's wheels by springs down and across, 750 mm from the middle, with the same interface."""
     OnWheelset = bogie.wheels.OnWheelset
 
     def wheels(states):
@@ -72,12 +73,12 @@ def test_motion_in_a_mirror_is_the_mirror_of_motion(bogie):
     state = disturbed(law)
     mirror = np.tile(MIRROR, 4)
     vehicle_in_mirror = law.rates(0, state).reshape(-1, 12)
-    # The springs of the left are those of the right in a mirror.
+    # The springs on the left are the mirror images of those on the right.
     assert mirrored.rates(0, mirror * state).reshape(-1, 12) == pytest.approx(MIRROR * vehicle_in_mirror, rel=1e-9, abs=1e-6)
 
 
 def test_a_body_that_nothing_holds_keeps_its_energy_and_its_angular_momentum(bogie):
-    # It falls and tumbles: Euler's equations by themselves, of a body whose three inertias differ.
+    # It falls and tumbles, so Euler's equations apply to a body with three different inertias.
     vehicle = bogie.vehicle
     alone = vehicle.Vehicle((vehicle.Body("stone", 1.0, (1e5, 2e5, 4e5), (0, 0, 0)),), (), 0, 460.0, 0.0)
 
@@ -107,7 +108,7 @@ def test_a_line_is_as_curved_as_it_says(bogie):
         assert (line.heading(s + 1) - line.heading(s - 1)) / 2 == pytest.approx(line.curvature * line.share(s), abs=1e-13)
         place = line.place(s) + line.axes(s) @ (0, 7.0, -460)
         assert line.way_to(place, s - 300) == pytest.approx(s, abs=1e-6 + 150 / 1500 * 1e-5 * 460)
-    # A circle of 500 m to the left, whose right rail lies 150 mm higher.
+    # The track is a circle of 500 m to the left, whose right rail is 150 mm higher.
     a, b, c = (line.place(s)[:2] for s in (100e3, 120e3, 140e3))
     sides = [np.linalg.norm(b - a), np.linalg.norm(c - b), np.linalg.norm(a - c)]
     area = abs((b - a)[0] * (c - a)[1] - (b - a)[1] * (c - a)[0]) / 2
@@ -135,13 +136,13 @@ def test_a_wheelset_in_a_curve_sees_the_track_that_it_is_on(bogie):
     assert motion[8:] == pytest.approx((0, -speed / 460, speed / 300e3), abs=1e-9)
 
 
-@pytest.mark.slow  # 4200 steps, as the coach takes its time to come to rest
+@pytest.mark.slow  # takes 4200 steps, because the coach comes to rest slowly
 @pytest.mark.timeout(300)
 def test_in_a_curve_the_rails_bear_what_the_cant_leaves(bogie):
     line = bogie.line.Line(curvature=1 / 600e3, cant=100, begin=5e3, transition=30e3, length=2e5)
     law = equations(bogie, line=line)
     times, states = bogie.runs.by_numpy(law, law.start(30e3, z=0.06), 4.2, 1e-3)
-    swing = states.reshape(len(times), -1, 12)[-1950::50]  # one of the coach, which takes its time to come to rest
+    swing = states.reshape(len(times), -1, 12)[-1950::50]  # frequency of the coach, which comes to rest slowly
     found, speeds = [], []
     for bodies in swing:
         axes = line.axes(line.way_to(bodies[2, :3], float(np.linalg.norm(bodies[2, :2]))))

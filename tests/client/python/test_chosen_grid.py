@@ -1,4 +1,4 @@
-"""Problems without a grid: it is chosen by Hertz's ellipse, and corrected once."""
+"""Tests problems without a grid: it is chosen by Hertz's ellipse, and corrected once."""
 
 from __future__ import annotations
 
@@ -88,7 +88,7 @@ def test_a_grid_that_is_given_is_taken(client):
 
 def test_a_contact_that_reaches_the_border_is_solved_once_more_on_a_larger_grid(client):
     with warnings.catch_warnings():
-        warnings.simplefilter("error", ContactWarning)  # what the first grid warns of is not told
+        warnings.simplefilter("error", ContactWarning)  # warnings of the first grid are not reported
         solution = client.solve(BALL, steel, approach=0.01, sheet_flexibility=2e-5)
     hertz = ellipse(BALL, (0.01, False))
     assert (solution.grid.nx, solution.elements.border) == (60, 0)
@@ -102,7 +102,7 @@ def test_only_once(client):
 
 
 def test_a_contact_with_few_elements_is_solved_once_more_on_a_smaller_grid(client):
-    body = ViscoelasticBody(G=1000, nu=0.4, f=30, tau=1e3)  # too slow to creep: it is as stiff as at once
+    body = ViscoelasticBody(G=1000, nu=0.4, f=30, tau=1e3)  # too slow to creep: it has its instantaneous stiffness
     solution = client.solve(BALL, body, Fn=100, friction=Friction(0.3, rolling=Rolling(velocity=1e3)))
     at_once = ellipse(BALL, (100, True), contactd.Material(G=1000, nu=0.4), contactd.Material(G=1000, nu=0.4))
     assert solution.approach == pytest.approx(at_once.approach, rel=0.01)

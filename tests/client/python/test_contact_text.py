@@ -1,4 +1,4 @@
-"""The text for CONTACT: its layout, texts of others, and what is said of broken ones."""
+"""Tests the text for CONTACT: its layout, texts of other programs, and errors in invalid ones."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ def pair():
 
 
 def line_of(k, iy):
-    """Index of the line of an offset."""
+    """Returns the index of the line of an offset."""
     return 4 + (iy + NY - 1) * (NX + 2) + 2 + k
 
 

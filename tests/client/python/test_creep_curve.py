@@ -1,4 +1,4 @@
-"""Curves of creep forces: many contacts that differ in their creepages."""
+"""Tests curves of creep forces: many contacts with different creepages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The client behind the functions of the package."""
+"""Tests the client of the package's functions."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ BALL = Paraboloid(50, 50)
 
 @pytest.fixture(autouse=True)
 def fresh(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
-    """Each test opens the default client itself, and leaves none behind."""
+    """Each test opens the default client itself, and closes it."""
     monkeypatch.delenv("CONTACTD_ENDPOINT", raising=False)
     contactd.default_client().close()
     yield

@@ -1,4 +1,4 @@
-"""What the Python classes send, or say in their docstrings, where a field is left out is what the schemas declare."""
+"""Tests that omitted fields have the defaults of the schemas, in requests and in docstrings."""
 
 import inspect
 import json
@@ -50,7 +50,7 @@ IN_WORDS = {"pi/2": 1.5707963267948966, "zero": 0, "one": 1}
 
 
 def stated(text):
-    """The default that a sentence of a docstring states as a number or a word, None where it states none."""
+    """Returns the default that a sentence of a docstring states as a number or a word, or None."""
     if found := re.search(r'"(\w+)"[^";]{0,40}\(default\b|[Dd]efault:? "(\w+)"', text):
         return found[1] or found[2]
     if found := re.search(r"(-?\d[\d.e-]*) \(default\)|[Dd]efault:? (-?\d[\d.e-]*\d|-?\d|pi/2)", text):
@@ -60,7 +60,7 @@ def stated(text):
 
 
 def sentences(cls):
-    """What the docstring says of each attribute."""
+    """Returns the description of each attribute in the docstring."""
     text = inspect.getdoc(cls).partition("Attributes:\n")[2]
     return {name: re.sub(r"\s+", " ", said) for name, said in re.findall(r"^ {4}(\w+): ((?:.+\n?(?: {8}.*\n?)*))", text, re.MULTILINE)}
 

@@ -1,4 +1,4 @@
-"""The demo as a stranger starts it."""
+"""Tests the demo as a new user starts it."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Readers of text take 2 MiB of one character: what they do grows with the text, and not with its square, for which there are
-hours to wait."""
+"""Tests that readers of 2 MiB of one character take time proportional to the text, not to its square, which would take
+hours."""
 
 import subprocess
 import sys
@@ -36,7 +36,7 @@ for text in sys.argv[3:]:
 
 @pytest.mark.parametrize("reader", READERS)
 def test_what_reads_text_takes_two_mebibytes_of_one_character(reader):
-    """In a process, which a library that keeps the interpreter's lock does not keep from being ended."""
+    """Runs it in a process, which can be ended even if a library holds the interpreter's lock."""
     command = [sys.executable, "-c", PROGRAM, str(SIZE), READERS[reader], *TEXTS.values()]
     environment = {"PYTHONPATH": ":".join(path for path in sys.path if path)}
     ended = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=50 * SLOWER)

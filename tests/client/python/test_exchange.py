@@ -1,4 +1,4 @@
-"""Requests and answers against a fake daemon: timeouts, late and malformed answers, interrupts, progress."""
+"""Tests requests and answers with a fake daemon: timeouts, late and malformed answers, interrupts, progress."""
 
 import json
 import os
@@ -143,7 +143,7 @@ def test_an_interrupt_leaves_the_client_usable(fake):
 def test_an_interrupt_that_ends_no_wait_is_noticed_soon(fake):
     def script(request):
         if request.method == "ic.get":
-            # It reaches this thread, so that the caller's wait for its socket goes on, as after one that came just before it.
+            # The signal reaches this thread, so the caller keeps waiting for its socket.
             signal.pthread_kill(threading.get_ident(), signal.SIGINT)
             return []
         return healthy(request)
@@ -159,7 +159,7 @@ def test_calls_of_several_threads_run_side_by_side(fake):
     first = []
 
     def script(request):
-        # The first request is answered when the second one has come.
+        # The first request is answered after the second one has arrived.
         if not first:
             first.append(request)
             return []
@@ -167,7 +167,7 @@ def test_calls_of_several_threads_run_side_by_side(fake):
         stolen = first[0].result({"state": "first"})
         return [stolen, request.result({"state": "second"})]
 
-    # Answers go to the identity that asked last, so the first caller must time out, alone.
+    # Answers go to the identity of the last request, so only the first caller must time out.
     _, client = fake(script)
     outcome = []
 
@@ -211,7 +211,8 @@ def test_a_daemon_that_was_restarted_between_two_calls_answers(tmp_path):
     with FakeServer(tmp_path, healthy) as server, Client(server.endpoint, timeout=5) as client:
         assert client.health() == "serving"
         server.__exit__()
-        # It takes a moment until the client's socket has heard of it; what it sends before is lost, and said to be.
+        # The client's socket notices the disconnection after a moment; requests sent before are lost, and reported as
+        # lost.
         _until(lambda: client._connections._idle[0]._monitor.poll(0))
         with FakeServer(tmp_path, healthy):
             assert client.health() == "serving"

@@ -1,4 +1,4 @@
-"""What values do by parts of the package that they do not know."""
+"""Tests methods of values that other parts of the package implement."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""What requests of fatigue send, and what is made of an answer."""
+"""Tests requests of fatigue, and the reading of answers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Fits of creep curves, by a client whose contacts are closed forms: what comes back, with which errors, and what is refused."""
+"""Tests fits of creep curves with a client of closed-form contacts: results, errors, and refusals."""
 
 from __future__ import annotations
 
@@ -18,7 +18,8 @@ BOUNDS = {MU: (0.05, 0.8), FLEXIBILITY: (1e-6, 1e-3)}
 
 
 class Closed(Client):
-    """A client whose contacts have the traction coefficient `law`(mu, flexibility, xi); None does not converge."""
+    """Provides a client whose contacts have the traction coefficient `law`(mu, flexibility, xi); None does not
+    converge."""
 
     def __init__(self, law: Any, most: int = 1000, derivative: Any = None) -> None:
         self.law, self.most, self.derivative = law, most, derivative
@@ -80,7 +81,7 @@ def test_forces_that_are_no_part_of_the_normal_force_are_doubted(unit):
 
 
 def test_intervals_hold_the_values_as_often_as_they_say():
-    """190 of 200 curves with noise should; a binomial deviation of 3 is 9."""
+    """Expected are 190 of 200 curves with noise; three binomial deviations are 9."""
     inside = {MU: 0, FLEXIBILITY: 0}
     for seed in range(200):
         noisy = curve(tanh) + np.random.default_rng(seed).normal(0, 0.005, len(CREEPAGE))
@@ -102,7 +103,7 @@ def test_errors_of_a_straight_line_are_the_textbook_ones():
     assert [one.standard_error for one in found.parameters] == pytest.approx(np.sqrt(np.diag(covariance)), rel=1e-6)
     assert found.correlation[0, 1] == pytest.approx(covariance[0, 1] / np.sqrt(np.prod(np.diag(covariance))), rel=1e-6)
     assert not found[MU].is_logarithmic
-    quantile = 2.0859634472658644  # of Student's distribution with 20 degrees of freedom, at 0.975
+    quantile = 2.0859634472658644  # quantile of Student's distribution with 20 degrees of freedom, at 0.975
     half = quantile * np.sqrt(np.einsum("ij,jk,ik->i", [[1, 0], [1, 0.01]], covariance, [[1, 0], [1, 0.01]]))
     np.testing.assert_allclose(found.curve.high - found.curve.value, half, rtol=1e-5)
     low, high = found[MU].interval

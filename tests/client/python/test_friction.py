@@ -1,4 +1,4 @@
-"""What friction says on the wire, and that it has every option of the schema."""
+"""Tests the wire format of friction, and that it has every option of the schema."""
 
 import json
 from dataclasses import fields

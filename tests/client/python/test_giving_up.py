@@ -1,4 +1,4 @@
-"""What a client gives up it cancels, and what it fetches in pieces it puts together."""
+"""Tests that a client cancels abandoned requests, and joins answers received in parts."""
 
 import time
 

@@ -1,4 +1,4 @@
-"""Units that headings of files with heights and pressures state."""
+"""Tests units in headings of files with heights and pressures."""
 
 from __future__ import annotations
 

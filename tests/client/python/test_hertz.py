@@ -1,4 +1,4 @@
-"""Hertz's contact from what a case has of it."""
+"""Tests Hertz's contact from the data of a case."""
 
 from __future__ import annotations
 
@@ -51,12 +51,13 @@ def test_rotated_by_a_right_angle_it_is_the_same() -> None:
 
 
 def test_the_sum_of_curvatures_meets_the_potential() -> None:
-    """Under p0 sqrt(1 - ..) displacements at the end of a semi-axis are those of the middle less a1 a^2 (Johnson, 3.5)."""
+    """Under p0 sqrt(1 - ..) displacements at the end of a semi-axis are those of the middle minus a1 a^2 (Johnson,
+    3.5)."""
     load = Load(1e4, True, STEEL)
     found = ellipse_of_axes(5, 2, load)
     p0 = 3 * load.value / (2 * math.pi * found.aa * found.bb)
     eccentricity = 1 - (found.bb / found.aa) ** 2
-    # Complete elliptic integral K by the arithmetic-geometric mean.
+    # Evaluates the complete elliptic integral K by the arithmetic-geometric mean.
     x, y = 1.0, math.sqrt(1 - eccentricity)
     while abs(x - y) > 1e-15:
         x, y = (x + y) / 2, math.sqrt(x * y)

@@ -1,4 +1,4 @@
-"""Files that were made to hang the library of HDF5, to end it or to take all memory do so to a process of their own."""
+"""Tests that files made to hang HDF5's library, to crash it or to exhaust memory affect a separate process only."""
 
 import hashlib
 import subprocess
@@ -20,7 +20,7 @@ PROBLEM = ContactProblem(grid=Grid(2, 2, 1, 1), gap=Paraboloid(50), approach=0.1
 
 
 def endless(content: bytes, text: bytes) -> bytes:
-    """The same, with a text so long that behind it there are zeros: objects without end in a heap of HDF5, each of no size."""
+    """Does the same with a long text followed by zeros: endless objects of size zero in a heap of HDF5."""
     said = len(text).to_bytes(8, "little") + text
     assert said in content
     return content.replace(said, (len(text) + 0x200).to_bytes(8, "little") + text)
@@ -35,7 +35,7 @@ def endless_table() -> bytes:
 
 @pytest.fixture
 def soon(monkeypatch):
-    """What hangs is given up after some seconds; what starts is up before."""
+    """A hanging process is ended after some seconds; a started one is ready before."""
     monkeypatch.setattr(hdf5_process, "SECONDS", 5.0)
 
 

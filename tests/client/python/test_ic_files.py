@@ -1,4 +1,4 @@
-"""Tables as files: what is written is read, and what cannot be read is named."""
+"""Tests tables as files: written files can be read, and errors name the unreadable part."""
 
 import dataclasses
 import hashlib

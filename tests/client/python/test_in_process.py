@@ -1,4 +1,4 @@
-"""contactd.local() with the engine in process: what a private daemon answers, and what a library in a process must bear."""
+"""Tests contactd.local() with the engine in process: its answers, and the requirements on a library in a process."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ def not_installed(monkeypatch):
 
 
 def threads() -> int:
-    """Of this process, also those that are not Python's."""
+    """Counts the threads of this process, including those that are not Python's."""
     return len(os.listdir("/proc/self/task"))
 
 
@@ -323,7 +323,7 @@ def answer_in_fork(client):
 @pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
 def test_a_forked_process_is_told_to_open_its_own(client):
     session = client.session(ROLLING)
-    assert client.solve(ROLLING).converged  # by a thread that the child will not have
+    assert client.solve(ROLLING).converged  # by a thread that does not exist in the child
     told = in_fork(lambda: answer_in_fork(client))
     assert told == (
         f"This client solves in process {os.getpid()}, from which this one was forked; open another here: contactd.local()."
@@ -380,7 +380,7 @@ def run(program: str, **options) -> subprocess.CompletedProcess[str]:
 @pytest.mark.parametrize(
     "program",
     [
-        # a client that nobody closes, with a session and its threads
+        # a client that is never closed, with a session and its threads
         "client = contactd.local(in_process=True)\n"
         "session = client.session(ROLLING); session.step(Fn=4e4)",
         # a thread that still waits
@@ -399,7 +399,7 @@ def test_the_interpreter_ends_whatever_is_open(program, tmp_path):
 
 
 def test_the_interpreter_ends_while_threads_ask(tmp_path):
-    """They come back from a call when there is no interpreter any more, one in ten times: so it ends a dozen times."""
+    """About one in ten returns from a call after the interpreter has ended, so it ends a dozen times."""
     program = """
 client = contactd.local(in_process=True)
 def ask():

@@ -1,4 +1,4 @@
-"""LocalDaemon with programs that behave as no daemon should."""
+"""Tests LocalDaemon with programs that behave incorrectly."""
 
 import importlib
 import os
@@ -86,7 +86,7 @@ def test_a_daemon_that_ignores_sigterm_is_killed_and_reported(program):
     assert not Path(daemon.folder).exists()
 
 
-#: Tells the daemon's process and folder, and is killed then.
+#: Prints the daemon's process and folder, and is then killed.
 CALLER = """
 import os, sys, time
 from contactd import LocalDaemon

@@ -1,4 +1,4 @@
-"""Steps of several sessions in one message: what is sent, what is refused, and who may take them."""
+"""Tests steps of several sessions in one message: requests, refusals, and access of threads."""
 
 import os
 import threading
@@ -25,7 +25,7 @@ from support.fake_server import FakeServer
 from support.processes import in_fork
 from support.sessions import STEP, opened
 
-# The server that these tests run in a thread is the parent's; the children never touch it.
+# The server of these tests runs in a thread of the parent; the children never use it.
 pytestmark = pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
 
 GRID = Grid(3, 2, 1, 1)
@@ -35,7 +35,8 @@ TOO_MUCH = 1e9
 
 
 class Fake:
-    """A daemon that takes all steps but those of a force that is too much, and three sessions of one client."""
+    """Provides a daemon that accepts all steps except those with excessive forces, and three sessions of one
+    client."""
 
     def __init__(self, folder):
         self.opened = 0
@@ -66,7 +67,7 @@ class Fake:
 
     @property
     def asked(self):
-        """The steps of each message."""
+        """Returns the steps of each message."""
         return [r.params["steps"] for r in self.server.requests if r.method == "session.step_many"]
 
     def numbers(self):

@@ -1,4 +1,4 @@
-"""Numbers in text, as spreadsheets, programs and people write them."""
+"""Tests numbers in text, as spreadsheets, programs and users write them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,5 @@
-"""The client has every option of influence coefficients, and every figure of the answers, that the schemas know."""
+"""Tests that the client has every option of influence coefficients, and every value of the answers, that the schemas
+declare."""
 
 import json
 from collections.abc import Mapping
@@ -34,7 +35,7 @@ JSON_TYPES = {"integer": int, "number": float, "boolean": bool}
 
 
 def kind_of(cls, name):
-    """The type of an option without its None."""
+    """Returns the type of an option without its None."""
     (kind,) = [t for t in get_args(get_type_hints(cls)[name]) if t is not type(None)]
     return kind
 
@@ -46,7 +47,7 @@ def test_finite_elements_have_every_option_and_no_other():
 @pytest.mark.parametrize("name", sorted(FEM_OPTIONS))
 def test_an_option_has_the_type_of_the_schema(name):
     kind = kind_of(FemIcs, name)
-    if name == "section":  # an object, as the wire has it
+    if name == "section":  # an object, as on the wire
         assert kind == Mapping[str, Any]
     elif "enum" in OPTIONS[name]:
         assert get_origin(kind) is Literal
@@ -95,6 +96,6 @@ def test_an_answer_has_every_field_of_its_schema(kind, schema, place):
 
 
 def test_fields_that_are_given_by_name_are_read_by_every_version_of_python():
-    """Python 3.10 takes their mark for no type, and refuses the class."""
+    """Python 3.10 does not accept their mark as a type, and refuses the class."""
     assert KW_ONLY not in hints_of(FemIcs).values()
     assert hints_of(FemIcs).keys() >= {field.name for field in fields(FemIcs)}

@@ -33,7 +33,7 @@ FAILED = {"code": 5, "name": "NOT_FOUND", "message": "Gone."}
 
 
 def answered(request, **changes):
-    """As contact.solve and contact.solve_many answer, with the arrays that were asked for."""
+    """Answers like contact.solve and contact.solve_many, with the requested arrays."""
 
     def solution(params):
         result, *frames = answers.solution(2, 3)

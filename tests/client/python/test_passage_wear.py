@@ -1,4 +1,4 @@
-"""The wear of a passage: laws as objects, and what they take off the section of a wheel or a rail."""
+"""Tests the wear of a passage: laws as objects, and the worn sections of wheels and rails."""
 
 from __future__ import annotations
 

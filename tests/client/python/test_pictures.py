@@ -1,4 +1,4 @@
-"""Pictures of answers: what they show, in which units, and what they say where there is nothing to draw."""
+"""Tests pictures of answers: contents, units, and errors if there is nothing to draw."""
 
 import subprocess
 import sys
@@ -53,7 +53,7 @@ def no_figure_left():
 
 
 def drawn(axes):
-    """The texts of a picture, once it has been drawn."""
+    """Returns the texts of a picture after it was drawn."""
     axes.figure.canvas.draw()
     for shown in axes.figure.axes:
         if shown.get_legend() is not None:
@@ -97,7 +97,7 @@ def test_long_patches_have_their_legends_and_arrows_in_place(client, a, b):
     drawn(axes := long_picture(client, long))
     (arrows,) = (one for one in axes.collections if type(one).__name__ == "Quiver")
     x, y = (np.abs(reach / arrows.scale) for reach in (arrows.U, arrows.V))
-    # No arrow reaches across a quarter of the picture.
+    # No arrow is longer than a quarter of the picture.
     assert x.max() < 0.25 * np.ptp(axes.get_xlim()) and y.max() < 0.25 * np.ptp(axes.get_ylim())
 
 

@@ -1,4 +1,4 @@
-"""What the dataclasses of a request say on the wire."""
+"""Tests the wire format of the dataclasses of requests."""
 
 import copy
 import dataclasses
@@ -176,7 +176,7 @@ def test_a_body_may_have_coefficients_of_its_own():
     bodies = problem_params(problem)["bodies"]
     assert bodies["upper"] == {"G": 82000, "nu": 0.28, "ics": {"source": "fem", "body": "block"}}
     assert bodies["lower"]["ics"].keys() == {"source", "table", "dx", "dy"}
-    assert bodies["lower"]["ics"]["table"].shape == (3, 3, 2, 3)  # no more than the grid needs
+    assert bodies["lower"]["ics"]["table"].shape == (3, 3, 2, 3)  # only as large as the grid requires
 
 
 def test_coefficients_of_the_lower_body_alone_name_its_material():

@@ -1,4 +1,4 @@
-"""Clients, sessions and daemons in forked processes, in pickles and in several threads."""
+"""Tests clients, sessions and daemons in forked processes, in pickles and in several threads."""
 
 import copy
 import os
@@ -23,7 +23,7 @@ from support.fake_server import FakeServer
 from support.processes import in_fork
 from support.sessions import opened
 
-# The server that these tests run in a thread is the parent's; the children never touch it.
+# The server of these tests runs in a thread of the parent; the children never use it.
 pytestmark = pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
 
 GRID, MATERIAL = Grid(3, 2, 1, 1), Material(1, 0)

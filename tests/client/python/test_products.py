@@ -1,4 +1,4 @@
-"""Tables as operators: products with pressures and tractions."""
+"""Tests tables as operators: products with pressures and tractions."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def table(client):
 
 
 def summed(table, loads):
-    """The displacements by the double sum over elements, with the parities of the documentation."""
+    """Returns the displacements by the double sum over elements, with the parities of the documentation."""
     _, ny, nx = loads.shape
     odd_x = {"xy", "yx", "xz", "zx"}
     odd_y = {"xy", "yx", "yz", "zy"}

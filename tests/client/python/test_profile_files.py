@@ -1,4 +1,4 @@
-"""Profiles in files, as Python reads and sends them."""
+"""Tests how Python reads and sends profiles in files."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def test_what_cannot_be_read_is_an_error_of_the_system(tmp_path):
 
 
 def test_a_file_whose_reading_fails_is_named():
-    """Behind a hole of the address space, where a file of /proc can be opened and not read."""
+    """Reads behind a hole of the address space, where a file of /proc can be opened but not read."""
     with pytest.raises(OSError, match="Input/output error: '/proc/self/mem'"):
         ProfileFile("/proc/self/mem")
 

@@ -1,4 +1,4 @@
-"""progress=True: a bar beside what on_progress does."""
+"""Tests progress=True: a bar in addition to on_progress."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Regions of the potential contact area, as they are written."""
+"""Tests the wire format of regions of the potential contact area."""
 
 import numpy as np
 import pytest

@@ -1,4 +1,4 @@
-"""A wheel that rolls on its rail in one call, and its picture without a client."""
+"""Tests the solve of a rolling wheel in one call, and its picture without a client."""
 
 from __future__ import annotations
 

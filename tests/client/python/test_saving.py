@@ -1,4 +1,5 @@
-"""Problems and solutions as dictionaries, as files, and as arrays of xarray: nothing is lost on the way and back."""
+"""Tests problems and solutions as dictionaries, as files, and as arrays of xarray, without losses in both
+directions."""
 
 import errno
 import json
@@ -119,7 +120,7 @@ VALUES = {
 
 
 def same(one, other, path=""):
-    """Whether two values are equal in all that is in them; lists count as tuples, as they do to the daemon."""
+    """Returns whether two values have equal contents; lists equal tuples, as for the daemon."""
     if is_dataclass(one):
         assert type(one) is type(other), path
         for field in fields(one):

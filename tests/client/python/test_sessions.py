@@ -1,4 +1,4 @@
-"""What the client makes of the options of sessions."""
+"""Tests how the client sends the options of sessions."""
 
 from dataclasses import fields
 from typing import get_args

@@ -1,4 +1,4 @@
-"""How things show themselves: help(), a line on a terminal, a table in a notebook."""
+"""Tests representations: help(), a line on a terminal, a table in a notebook."""
 
 import dataclasses
 import inspect
@@ -42,7 +42,7 @@ DATA = sorted(
 
 
 class Cells(HTMLParser):
-    """The texts of a table; fails for what is not closed in order."""
+    """Returns the texts of a table; fails for tags that are not closed in order."""
 
     def __init__(self, text):
         super().__init__()

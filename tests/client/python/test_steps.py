@@ -1,4 +1,4 @@
-"""What steps of a session say, and which numbers they have."""
+"""Tests the contents and the numbers of steps of a session."""
 
 import inspect
 import json
@@ -24,12 +24,12 @@ from support.fake_server import FakeServer
 from support.sessions import NAME, STEP, opened
 
 SCHEMA = json.loads((Path(__file__).parents[3] / "proto" / "schema" / "session.step.params.json").read_text())
-TOO_MUCH, LOST = 1e9, 2e9  # forces of which the fake says so, and nothing
+TOO_MUCH, LOST = 1e9, 2e9  # the fake answers forces only for some fields
 
 
 @pytest.fixture
 def session(tmp_path):
-    """Of a daemon that is at step 7 when a state is restored; what was asked for is its `asked`."""
+    """Provides a daemon that is at step 7 when a state is restored; `asked` contains its requests."""
     asked = []
 
     def script(request):

@@ -1,4 +1,4 @@
-"""What Client.temperature sends, and what it makes of the answer."""
+"""Tests the requests of Client.temperature and the reading of its answers."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Temporary folders: each goes with its process, and those of processes that were killed with the next one."""
+"""Tests temporary folders: each is removed with its process, or by the next process if that was killed."""
 
 import os
 import subprocess
@@ -17,7 +17,7 @@ sys.stdin.read()
 
 
 def other(tmp_path):
-    """Another process with a folder, and its path."""
+    """Provides another process with a folder, and its path."""
     environment = {**os.environ, "PYTHONPATH": os.pathsep.join(path for path in sys.path if path)}
     process = subprocess.Popen([sys.executable, "-c", MAKES_ONE, str(tmp_path)], env=environment, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
     return process, Path(process.stdout.readline().strip())

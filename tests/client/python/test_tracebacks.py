@@ -1,4 +1,4 @@
-"""What a user sees of an exception: the line that made the call and the sentence, and nothing of how this package is built."""
+"""Tests tracebacks: they show the line of the call and the message, and no frames of this package."""
 
 import os
 import re
@@ -25,7 +25,8 @@ nobody = "ipc:///nowhere/socket"
 
 
 def shown(tmp_path, code, **environment):
-    """Files of the frames of the traceback that a program ends with, the line of the last, and the last line of it all."""
+    """Returns files of the frames of the traceback that ends a program, the line of the last one, and the last line of
+    all."""
     script = tmp_path / "user.py"
     script.write_text(BEGIN + textwrap.dedent(code))
     paths = os.pathsep.join([str(PACKAGE.parent), str(BIN.parent / "lib" / "python")])
@@ -38,7 +39,7 @@ def shown(tmp_path, code, **environment):
 
 
 def ours(files):
-    """A dataclass's own __init__ stands in no file."""
+    """A dataclass's own __init__ is in no file."""
     return [file for file in files if file == "<string>" or Path(file).is_relative_to(PACKAGE)]
 
 
@@ -163,7 +164,7 @@ def test_a_cause_that_is_named_stays_and_what_was_handled_meanwhile_does_not(cau
 
 
 def traceback_of(error, cause):
-    """The functions in the traceback of what a function of the package raises."""
+    """Returns the functions in the traceback of an exception of a function of the package."""
     module = {"__name__": "contactd.inside", "public": public}
     exec(INSIDE, module)
     with pytest.raises(type(error)) as caught:

@@ -14,7 +14,7 @@ from contactd.values.generated.wheel_rail.setup import WheelRailFields
 from contactd.wheel_rail import WheelRailSetup
 
 ROOT = Path(__file__).parents[3]
-#: Lines to ignore are wrong: mypy complains of the ignoring where it finds nothing to ignore.
+#: Ignored lines must contain errors, because mypy reports unused ignores.
 CALLS = """
 from typing import assert_type
 import numpy as np, numpy.typing as npt

@@ -1,4 +1,4 @@
-"""How long calls wait, and what they say when the wait is over."""
+"""Tests how long calls wait, and their messages after a timeout."""
 
 import pickle
 
@@ -42,7 +42,7 @@ CALLS = {
 
 
 def waits(tmp_path, act, **options):
-    """The timeout (s) that a call names, whatever comes of it."""
+    """Returns the timeout (s) that a call sends, regardless of the result."""
     with FakeServer(tmp_path, lambda request: [request.failure(5, "No.")]) as server:
         with Client(server.endpoint, **options) as client, pytest.raises(Exception, match="No"):
             act(client)

@@ -1,4 +1,5 @@
-"""What answers warn of is a warning of Python: of every client, once an answer, where it was asked for."""
+"""Tests that warnings of answers become warnings of Python: for every client, once per answer, at the line of the
+call."""
 
 import asyncio
 import copy
@@ -38,7 +39,7 @@ def example(method):
 
 
 def quiet(answer):
-    """The answer without what it warns of."""
+    """Returns the answer without the part that causes the warning."""
     if isinstance(answer, dict):
         return {name: quiet(value) for name, value in answer.items() if name != "warnings" or value == []}
     return [quiet(item) for item in answer] if isinstance(answer, list) else answer
@@ -46,7 +47,7 @@ def quiet(answer):
 
 @pytest.fixture
 def answering(tmp_path):
-    """A client of a server that answers so."""
+    """Provides a client of a server with this answer."""
     with_them = []
 
     def make(answer):
@@ -86,7 +87,7 @@ def test_a_filter_silences_it_or_makes_it_an_exception(answering):
         client.solve(CATTANEO, fields=[])
     with pytest.raises(ContactWarning, match="It is far off"):
         client.solve(CATTANEO, fields=[])
-    with pytest.warns(ContactWarning):  # and the client goes on
+    with pytest.warns(ContactWarning):  # and the client continues
         client.solve(CATTANEO, fields=[])
 
 
@@ -195,7 +196,7 @@ def test_a_warning_can_be_pickled():
 
 
 def places(schema, file, part, found, depth=0):
-    """Where the schema has warnings: names one below the other, without the brackets of lists."""
+    """Lists the warnings of the schema: names in levels, without the brackets of lists."""
     if not isinstance(schema, dict) or depth > 40:
         return
     if "$ref" in schema:

@@ -1,4 +1,4 @@
-"""What laws of wear send, and what is made of an answer."""
+"""Tests requests of wear laws, and the reading of answers."""
 
 from __future__ import annotations
 

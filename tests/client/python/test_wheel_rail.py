@@ -1,4 +1,4 @@
-"""What Client.wheel_rail sends and what it makes of the answer."""
+"""Tests the requests of Client.wheel_rail and the reading of its answers."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ from contactd.wheel_rail import (
 from support import schemas
 
 SCHEMAS = Path(__file__).parents[3] / "proto" / "schema"
-#: As the schema shows it: one patch without arrays.
+#: One patch without arrays, as in the schema.
 ANSWER = json.loads((SCHEMAS / "wheelrail.solve.result.json").read_text())["examples"][0]
 WHEELSET_ANSWER = json.loads((SCHEMAS / "wheelrail.wheelset.result.json").read_text())["examples"][0]
 GRID = ANSWER["patches"][0]["place"]["grid"]

@@ -1,4 +1,5 @@
-"""The multibody part of the example of a wheelset, on contacts that are linear: what is known of those, and a second way."""
+"""Tests the multibody part of the example of a wheelset with linear contacts, against known results and a second
+method."""
 
 from __future__ import annotations
 
@@ -11,9 +12,9 @@ from support.wheelset import wheelset
 
 __all__ = ["wheelset"]
 
-#: Of an ellipse of 6 mm by 5 mm of steel, by Kalker's table.
+#: Coefficients of an ellipse of 6 mm by 5 mm of steel, by Kalker's table.
 CREEP = -82000 * 30 * np.array([[4.2, 0, 0], [0, 3.7, 1.5 * 30**0.5], [0, -1.5 * 30**0.5, 1.2 * 30]])
-#: y, roll and yaw, their rates, and the moments about x and z change their signs in a mirror.
+#: y, roll and yaw, their rates, and the moments about x and z change their signs in a mirror image.
 MIRROR = np.array([1, -1, 1, -1, -1, 1, -1, 1, -1, 1, -1])
 
 
@@ -44,8 +45,8 @@ def test_springs_push_back(wheelset):
 
 
 def test_a_wheelset_without_springs_runs_along_klingels_wave(wheelset):
-    # Klingel 1883: wave number sqrt(conicity/(r b)), where inertia does not count. As the wheelset moves across it rolls by
-    # conicity/b, which moves the contact points by r/b of that more.
+    # Klingel 1883: the wave number is sqrt(conicity/(r b)) if inertia is negligible. A wheelset that moves across also
+    # rolls by conicity/b, which moves the contact points by an additional fraction r/b.
     vehicle = wheelset.vehicle.Vehicle(stiffness=(0, 0, 0), damping=(0, 0, 0))
     body = at_speed(wheelset, 0.5, vehicle, conicity=0.05, angle=0, creep=np.diag(np.diag(CREEP) * (1, 1, 0)))
     swing = wheelset.module("stability").hunting(body)
@@ -59,7 +60,7 @@ def test_motion_in_a_mirror_is_the_mirror_of_motion(wheelset):
 
 
 def test_a_body_that_nothing_holds_keeps_its_energy_and_its_angular_momentum(wheelset):
-    # It falls, spins and tumbles: Euler's equations by themselves.
+    # It falls, spins and tumbles, so only Euler's equations apply.
     vehicle = wheelset.vehicle.Vehicle(stiffness=(0, 0, 0), damping=(0, 0, 0), axle_load=1.813 * 9810)
     body = wheelset.runge_kutta.Wheelset(vehicle, lambda motion: (np.zeros(3), np.zeros(3)), 4e4, 0)
     state = body.start()

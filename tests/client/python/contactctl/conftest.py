@@ -1,4 +1,4 @@
-"""Runs contactctl as a user does: as a process, in a folder with files, with a daemon."""
+"""Runs contactctl like users: as a process, in a folder with files, with a daemon."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ friction: {mu: 0.4, rigid_shift: [0.00817, 0]}
 QUICK = {"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 6, "ny": 6, "dx": 0.8, "dy": 0.8},
          "ics": {"source": "fem", "preset": "paper-test2", "order": 1, "L_over_h": 40}}  # fmt: skip
 LONG = {**QUICK, "ics": {"source": "fem", "preset": "paper-test1", "order": 2, "L_over_h": 1000}}
-#: Ends by being ended only: rolling a hundred thousand steps takes hours.
+#: A solve that only ends when it is cancelled: rolling a hundred thousand steps takes hours.
 ENDLESS = {"grid": {"nx": 160, "ny": 160, "dx": 0.015, "dy": 0.015}, "bodies": {"upper": {"G": 200, "nu": 0.42}},
            "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 50, "Ry": 50}}, "approach": 0.02,
            "friction": {"mu": 0.4, "rolling": {"kind": "transient", "xi": 1e-3, "steps": 100_000}}}  # fmt: skip
@@ -50,14 +50,14 @@ class Ended:
 
     @property
     def json(self) -> Any:
-        """Of standard output, which must be one document and a line of it."""
+        """Returns standard output, which must be one document in one line."""
         assert self.out.endswith("\n")
         assert self.out.count("\n") == 1
         return json.loads(self.out, parse_constant=lambda word: pytest.fail(f"{word} is no JSON"))
 
 
 class Ctl:
-    """contactctl with the endpoint of a daemon, in a folder of the test's."""
+    """Runs contactctl with the endpoint of a daemon, in a folder of the test."""
 
     def __init__(self, folder: Path, endpoint: str) -> None:
         self.folder = folder
@@ -73,7 +73,7 @@ class Ctl:
         }  # fmt: skip
 
     def __call__(self, *words: object, given: str = "", **environment: str) -> Ended:
-        """Runs it until it ends, in this process, which spares the time of a start."""
+        """Runs it in this process until it ends, which saves the start of a process."""
         out, err = io.StringIO(), io.StringIO()
         with ExitStack() as stack:
             there = {name: value for name, value in self.environment.items() if not name.startswith("PYTHON")}
@@ -86,7 +86,7 @@ class Ctl:
         return Ended(code, out.getvalue(), err.getvalue())
 
     def alone(self, *words: object, given: str = "", **environment: str) -> Ended:
-        """Runs it until it ends, in a process of its own."""
+        """Runs it in a separate process until it ends."""
         ended = subprocess.run(
             [*self.command, *map(str, words)], cwd=self.folder, env={**self.environment, **environment},
             input=given, capture_output=True, text=True, timeout=50 * SLOWER,
@@ -103,17 +103,17 @@ class Ctl:
         )  # fmt: skip
 
     def start_python(self, *lines: str) -> subprocess.Popen[str]:
-        """A program in its environment, to which one can write."""
+        """Runs a program in its environment, with a pipe to its input."""
         streams = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.DEVNULL}
         return subprocess.Popen([sys.executable, "-c", "\n".join(lines)], env=self.environment, text=True, **streams)
 
     def write(self, name: str, content: Any) -> str:
-        """A file; what is no text as JSON."""
+        """Writes a file; values that are not text become JSON."""
         (self.folder / name).write_text(content if isinstance(content, str) else json.dumps(content))
         return name
 
     def write_module(self, name: str) -> Path:
-        """A folder with a module that is not there when it is imported."""
+        """Creates a folder with a module that hides one of this name."""
         folder = self.folder / "hiding"
         folder.mkdir(exist_ok=True)
         (folder / f"{name}.py").write_text(f"raise ModuleNotFoundError('hidden', name={name!r})\n")
@@ -122,7 +122,7 @@ class Ctl:
 
 @pytest.fixture(autouse=True)
 def _interrupts() -> Iterator[None]:
-    """Commands get Ctrl-C as at a terminal, also where the tests run in the background."""
+    """Commands receive Ctrl-C as at a terminal, even if the tests run in the background."""
     before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
     signal.signal(signal.SIGINT, signal.default_int_handler)
     signal.signal(signal.SIGHUP, signal.SIG_DFL)
@@ -133,19 +133,19 @@ def _interrupts() -> Iterator[None]:
 
 @pytest.fixture
 def ctl(shared_daemon: Any, tmp_path: Path) -> Ctl:  # noqa: F811
-    """With the daemon of the file."""
+    """Uses the daemon of the test file."""
     return _with_files(tmp_path, shared_daemon.endpoint)
 
 
 @pytest.fixture(scope="module")
 def shared_ctl(shared_daemon: Any, tmp_path_factory: pytest.TempPathFactory) -> Ctl:  # noqa: F811
-    """With the daemon of the file, for what a file starts once."""
+    """Uses the daemon of the test file, for data that are created once."""
     return Ctl(tmp_path_factory.mktemp("shared"), shared_daemon.endpoint)
 
 
 @pytest.fixture
 def own(daemon: Any, tmp_path: Path) -> Ctl:  # noqa: F811
-    """With a daemon of the test's own."""
+    """Uses a separate daemon."""
     return _with_files(tmp_path, daemon.endpoint)
 
 

@@ -1,4 +1,4 @@
-"""Every command, for people and for scripts."""
+"""Tests every command, with output for users and for scripts."""
 
 import numpy as np
 import pytest

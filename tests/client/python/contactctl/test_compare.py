@@ -1,4 +1,4 @@
-"""compare: one case by all contact models, for people, for scripts, and as a picture."""
+"""Tests compare: one case by all contact models, for users, for scripts, and as a picture."""
 
 from __future__ import annotations
 

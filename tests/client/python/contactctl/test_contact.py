@@ -1,4 +1,4 @@
-"""contact: cases of input files of the CONTACT program, checked, computed, compared and converted."""
+"""Tests contact: cases of input files of the CONTACT program, checked, computed, compared and converted."""
 
 import signal
 from pathlib import Path
@@ -59,7 +59,7 @@ def test_a_word_that_does_not_fit_has_its_line_and_column_and_others_are_compute
 
 
 def test_warnings_name_their_cases_once(ctl):
-    """Of the reader as of answers: half of a pair of values, and elements that are too large."""
+    """Errors occur in the reader and in answers: half of a pair of values, and elements that are too large."""
     coarse = FIRST.replace("15  15  6.0  4.0  1.1", " 5   5  6.0  4.0  1.1")
     text = coarse + SECOND.replace("0.0001\n", "0.0001  7.0\n") + FIRST + END
     ctl.write("three.inp", text)
@@ -107,7 +107,7 @@ def test_matlab_loads_a_mat_file(ctl):
     slips = elements[:, 1] == 2
     traction = np.hypot(elements[:, 5], elements[:, 6])
     assert traction[slips] == pytest.approx(0.3 * elements[slips, 4], rel=1e-4)
-    # In contact surfaces meet: the undeformed distance less the approach, and what displacements add.
+    # In contact surfaces touch: the undeformed distance minus the approach, plus the displacements.
     assert np.ptp(elements[:, 2] + elements[:, 7]) < 1e-5 * elements[:, 7].max()
     assert elements[~slips, 10].max() < 1e-5 * 2e-3
 
@@ -132,14 +132,14 @@ def test_a_mat_file_of_a_layer_has_its_yield_stress_and_accumulated_plastic_slip
     ctl.write("layer.inp", layered.replace("0.0005  0.0  0.0001", "0.0020  0.0  0.0") + END)
     assert ctl("contact", "run", "layer.inp").code == Code.DONE
     path = ctl.folder / "layer.0001.mat"
-    table = np.loadtxt(path, comments="%")  # which needs as many columns in all lines
+    table = np.loadtxt(path, comments="%")  # requires equally many columns in all lines
     assert path.read_text().splitlines()[12].split()[-4:] == ["SREL", "TAUCRT", "UPLSX", "UPLSY"]
     assert table.shape[1] == 14
     elements = table[6:]
     plastic = elements[:, 1] == 3
     assert plastic.sum() > 5
     slip = np.hypot(elements[:, 12], elements[:, 13])
-    assert elements[:, 11] == pytest.approx(120 + 9000 * slip, rel=1e-4)  # all of it goes one way
+    assert elements[:, 11] == pytest.approx(120 + 9000 * slip, rel=1e-4)  # all of it has one direction
     assert np.hypot(elements[plastic, 5], elements[plastic, 6]) == pytest.approx(elements[plastic, 11], rel=1e-4)
 
 
@@ -174,7 +174,7 @@ def test_a_file_of_another_program_is_never_written_over(ctl):
 
 
 def test_files_of_elements_without_a_mark_are_written_over_only_when_asked_to(ctl):
-    """The CONTACT program and versions before 0.1.0 leave such files."""
+    """The CONTACT program and versions before 0.1.0 write such files."""
     ctl.write("two.inp", TWO)
     ctl.write("two.0002.mat", "% Meta-data\n  1.0  2.0  3.0\n")
     ended = ctl("contact", "run", "two.inp")
@@ -249,7 +249,7 @@ def test_a_file_that_is_not_there_is_told(ctl):
 
 
 def test_what_is_beyond_a_limit_is_refused_and_not_called_a_failure(ctl):
-    """By one number, that of the service, whether the case is checked or computed."""
+    """The same limit of the service applies whether the case is checked or computed."""
     ctl.write("large.inp", FIRST.replace("15  15  6.0", "2500000  15  6.0") + END)
     with Client(ctl.endpoint) as client:
         most = client.info().limits.max_grid_elements

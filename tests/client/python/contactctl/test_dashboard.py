@@ -1,4 +1,4 @@
-"""contactctl dashboard: what it wants, and what it has found of a daemon. The page is in test_dashboard_page.py."""
+"""Tests contactctl dashboard: its requests, and its view of a daemon. test_dashboard_page.py tests the page."""
 
 import threading
 
@@ -14,7 +14,7 @@ from support.problems import CATTANEO, GRID, LONG, QUICK, STEEL
 
 @pytest.fixture
 def watcher(daemon):
-    """Looks when it is told to."""
+    """Queries only when told to."""
     with daemon.client() as client:
         yield Watcher(client, interval=0.001)
 
@@ -110,7 +110,7 @@ def test_a_daemon_that_goes_away_is_told_of_until_it_is_back(daemons):
         watcher.look()
         assert watcher.view.state == AWAY
         assert watcher.view.why
-        assert watcher.view.samples == seen.samples  # what was known goes on being shown
+        assert watcher.view.samples == seen.samples  # earlier data remain visible
         daemons.start()
         eventually(lambda: watcher.look() or watcher.view.is_there)
         watcher.look()
@@ -127,7 +127,7 @@ def test_a_value_between_two_gaps_is_a_point_and_others_are_lines():
     assert points == [[1000 * at, None if median is None else 1000 * median] for at, median in enumerate(medians)]
     assert [at for at, point in enumerate(half) if isinstance(point, dict) and point["symbol"] == "circle"] == [0, 2, 8]
     assert all(point == [1000 * at, None] for at, point in enumerate(slow))
-    # A line has no symbols, but for the first moment, when there is no line yet.
+    # A line has no symbols, except before it has two points.
     for count, symbols in ((1, 1), (2, 0), (9, 0)):
         for line in throughput_chart(samples[:count])["series"]:
             assert line["symbol"] == "none" and sum(isinstance(point, dict) for point in line["data"]) == symbols

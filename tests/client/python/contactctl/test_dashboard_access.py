@@ -1,4 +1,4 @@
-"""Who may look at contactctl dashboard: real requests to a running one. Left out where NiceGUI could not be had from PyPI."""
+"""Tests access to contactctl dashboard by real requests. Skipped if NiceGUI was not available from PyPI."""
 
 import http.client
 import os
@@ -27,7 +27,7 @@ class Answer:
 
 
 class Running:
-    """A dashboard of a daemon that is not there, and what its link gives."""
+    """Provides a dashboard of a missing daemon, and the response to its link."""
 
     def __init__(self, ctl, *words):
         ctl.environment["PYTHONPATH"] = f"{PACKAGES[0]}{os.pathsep}{ctl.environment['PYTHONPATH']}"
@@ -55,7 +55,7 @@ class Running:
             connection.close()
 
     def shake_hands(self, path, **headers):
-        """The status that a WebSocket is answered with; 101 is one that was opened."""
+        """Returns the status that answers a WebSocket; 101 means that it was opened."""
         lines = {"Host": self.host, "Upgrade": "websocket", "Connection": "Upgrade", "Sec-WebSocket-Version": "13",
                  "Sec-WebSocket-Key": "dGhlIHNhbXBsZSBub25jZQ==", **headers}  # fmt: skip
         with socket.create_connection(("127.0.0.1", int(self.port)), timeout=20 * SLOWER) as connection:
@@ -106,7 +106,7 @@ def test_cookies_of_others_do_not_hide_ours(running, cookie):
 
 
 def test_who_has_got_the_cookie_only_sees_nothing(running):
-    """As a page does that another user serves on another port of the same address."""
+    """Acts like a page that another user serves on another port of the same address."""
     origin = f"http://{running.host}"
     for path in (SOCKET, f"/{running.token}{SOCKET}", f"/{running.cookie.partition('=')[2]}{SOCKET}"):
         assert running.shake_hands(path, Cookie=running.cookie, Origin=origin) == 403

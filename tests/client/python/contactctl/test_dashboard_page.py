@@ -1,4 +1,4 @@
-"""The page of contactctl dashboard, in a headless Chromium. Left out where NiceGUI could not be had from PyPI."""
+"""Tests the page of contactctl dashboard in a headless Chromium. Skipped if NiceGUI was not available from PyPI."""
 
 import http.server
 import os
@@ -27,7 +27,7 @@ pytestmark = [
 
 
 def with_packages(ctl):
-    """In front of Debian's own, which are older."""
+    """They precede Debian's own packages, which are older."""
     ctl.environment["PYTHONPATH"] = f"{PACKAGES[0]}{os.pathsep}{ctl.environment['PYTHONPATH']}"
     return ctl
 
@@ -41,7 +41,7 @@ class Dashboard:
         assert self.link, self.process.stderr.read()
 
     def end(self):
-        """Its exit code, after Ctrl-C, and what it has said."""
+        """Returns its exit code after Ctrl-C, and its output."""
         if self.process.poll() is None:
             self.process.send_signal(signal.SIGINT)
         _, said = self.process.communicate(timeout=30 * SLOWER)
@@ -50,7 +50,7 @@ class Dashboard:
 
 @pytest.fixture(scope="module")
 def dashboard(shared_ctl):
-    """Of the daemon that the tests of this file share."""
+    """Uses the daemon that the tests of this file share."""
     made = Dashboard(shared_ctl)
     yield made
     assert made.end() == (130, "")
@@ -72,7 +72,7 @@ def page(dashboard, browser):
 
 @pytest.fixture
 def page_of_own(own, daemon, browser):
-    """Of a daemon that nobody else has."""
+    """Uses a separate daemon."""
     made = Dashboard(own)
     browser.open(made.link)
     browser.wait_for("serving", ".state")
@@ -130,7 +130,7 @@ def test_the_picture_of_a_solve_is_drawn(page, shared):
         }})()"""
     )
     assert min(size) > 300
-    assert colours > 100  # pressures, and not an empty frame
+    assert colours > 100  # shows pressures, not an empty frame
     page.wait_for(", contact.solve at ", ".q-dialog")
 
 
@@ -196,7 +196,7 @@ def prefer(page, scheme):
 
 
 def luminances(page, *selectors):
-    """Of the ground and of the text of elements, from 0 to 1, where something is drawn behind them."""
+    """Returns the luminance of background and text of elements, from 0 to 1, where something is drawn behind them."""
     script = """(selector => {
         const luminance = colour => {
             const [r, g, b, a = 1] = colour.match(/[0-9.]+/g).map(Number);
@@ -247,7 +247,7 @@ def status_of(link, **headers):
             return error.code, error.read().decode()
 
 
-#: Texts that lie on one another, and what is wider than the window but does not scroll.
+#: Overlapping texts, and elements wider than the window that do not scroll.
 OVERLAPS = """(() => {
     const boxes = [];
     const walker = document.createTreeWalker(document.querySelector('.nicegui-content'), NodeFilter.SHOW_TEXT);
@@ -308,7 +308,7 @@ def test_two_dashboards_in_one_browser_leave_each_other_alone(dashboard, browser
 
 
 def test_what_another_page_of_the_machine_gets_from_the_browser_opens_nothing(dashboard, browser):
-    """Cookies know no ports: a page on another one receives ours."""
+    """Cookies ignore ports, so a page on another port receives ours."""
     received = []
 
     class Page(http.server.BaseHTTPRequestHandler):

@@ -1,4 +1,5 @@
-"""A signal ends a command soon, whatever its threads do: in order, by the exit code of the signal, or at last by SIGKILL."""
+"""Tests that a signal ends a command soon, whatever its threads do: in order, with the exit code of the signal, or
+finally by SIGKILL."""
 
 import signal
 import time
@@ -8,7 +9,7 @@ import pytest
 
 from support.slowness import SLOWER
 
-#: Each says "ready" on its output, and would go on for hours.
+#: Each prints "ready", and would run for hours.
 WAITS_AT_ITS_END = """
 import atexit, signal, time
 atexit.register(time.sleep, 10_000)
@@ -42,7 +43,7 @@ ENDLESS_CASES = """\
 
 
 def ended(ctl, program):
-    """The process once it says that it is ready."""
+    """Returns the process after it reported that it is ready."""
     process = ctl.start_python(BEFORE + program)
     assert process.stdout.readline() == "ready\n"
     return process
@@ -73,13 +74,13 @@ def test_a_command_that_ends_by_itself_takes_its_watch_along(ctl):
 
 
 def watches(number):
-    """The processes that watch the one with this number."""
+    """Returns the processes that watch the one with this number."""
     ending = f"contactctl-watch\0{number}\0".encode()
     return [one for one in Path("/proc").glob("[0-9]*/cmdline") if command_line(one).endswith(ending)]
 
 
 def command_line(file):
-    """Empty of a process that has ended."""
+    """Returns an empty list for a process that has ended."""
     try:
         return file.read_bytes()
     except OSError:

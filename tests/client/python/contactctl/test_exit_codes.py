@@ -1,4 +1,4 @@
-"""Every exit code, each with a sentence on standard error and nothing on standard output."""
+"""Tests every exit code, each with a message on standard error and nothing on standard output."""
 
 import json
 import os
@@ -100,7 +100,7 @@ def test_what_must_not_be_written_is_2_before_anything_is_solved(lonely, monkeyp
     lonely.write("folder/old.json", "{}")
     lonely.write("study.yaml", "problem: contact.yaml\nvary: {friction.mu: [0.1]}\n")
     (lonely.folder / forbidden).chmod(0o555)
-    # Also for root, to whom nothing is forbidden.
+    # It also fails for root, who has all permissions.
     monkeypatch.setattr(os, "access", lambda path, mode: mode != os.W_OK or bool(os.stat(path).st_mode & 0o200))
     assert refused(lonely("solve", "contact.yaml", "-o", name), 2, f"--output {name} cannot be written: permission is denied")
     assert refused(lonely("study", "study.yaml", "--csv", name), 2, f"--csv {name} cannot be written")

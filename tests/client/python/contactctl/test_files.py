@@ -1,4 +1,4 @@
-"""Files of users: what they mean, and what is said of those that mean nothing."""
+"""Tests files of users: their meaning, and messages about invalid ones."""
 
 import click
 import numpy as np

@@ -1,4 +1,4 @@
-"""fit: parameters of friction from a file with a measured curve."""
+"""Tests fit: parameters of friction from a file with a measured curve."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LAYER = ("--parameter", "friction.layer.flexibility=1e-6:1e-3")
 
 @pytest.fixture(scope="module")
 def measured(shared_daemon):
-    """Coefficients with mu 0.35 and a layer of 2e-5."""
+    """Uses coefficients with mu 0.35 and a layer of 2e-5."""
     problem = {
         "grid": {"nx": 15, "ny": 15, "dx": 0.75, "dy": 0.65}, "bodies": {"upper": {"G": 82000, "nu": 0.28}}, "ics": {"source": "analytic"},
         "gap": {"paraboloid": {"Rx": 460, "Ry": 300}}, "Fn": 30000, "fields": [],
@@ -43,7 +43,7 @@ def measured(shared_daemon):
 
 @pytest.fixture
 def files(ctl, measured):
-    """A case, and the curve with points and commas."""
+    """Writes a case, and the curve with points and commas."""
     ctl.write("case.yaml", CASE)
     ctl.write("curve.csv", "creepage, coefficient\n" + "".join(f"{x!r}, {y!r}\n" for x, y in zip(CREEPAGE.tolist(), measured.tolist())))
     return ctl
@@ -106,7 +106,7 @@ def test_the_case_with_the_values_is_written_and_can_be_solved(files):
     assert (files.folder / "fit.png").read_bytes().startswith(b"\x89PNG")
     assert files("fit", "curve.csv", "--case", "case.yaml", *MU, "--output", "fitted.json").code == 0
     assert json.loads((files.folder / "fitted.json").read_text())["Fn"] == 30000
-    # It has contactd's mark, which is no field of the case: it is written over, and solved.
+    # It has contactd's mark, which is not a field of the case, so it is overwritten.
     assert files("fit", "curve.csv", "--case", "fitted.json", *MU, "--output", "fitted.json").code == 0
     assert files("solve", "fitted.json", "--set", "friction.rolling.xi=1e-3").code == 0
 

@@ -1,4 +1,4 @@
-"""Commands with damaged files, hostile names and signals, and that the fuzzer finds what it looks for."""
+"""Tests commands with damaged files, malicious names and signals, and that the fuzzer finds known defects."""
 
 import os
 import sys
@@ -14,7 +14,7 @@ from support.daemons import BIN
 
 @pytest.fixture
 def programs(monkeypatch):
-    """What commands solve with where no endpoint is named."""
+    """Provides the solver of commands without an endpoint."""
     monkeypatch.setenv("PATH", f"{BIN}:{os.environ['PATH']}")
     monkeypatch.delenv("CONTACTD_ENDPOINT", raising=False)
 
@@ -24,7 +24,7 @@ def test_commands_bear_files_and_names_of_strangers(programs):
 
 
 def wicked(harm):
-    """A command that does harm in the place of what it is asked for."""
+    """Replaces a command by a harmful one."""
 
     def main(words):
         exec(harm)

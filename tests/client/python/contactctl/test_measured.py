@@ -1,4 +1,4 @@
-"""Rates and quantiles from two readings of the metrics."""
+"""Tests rates and quantiles from two readings of the metrics."""
 
 import pytest
 
@@ -6,7 +6,7 @@ from contactctl.measured import Reading, difference, quantile
 
 
 def histogram(method, *counts):
-    """Observations up to 1, 2 and 4 s, and all of them."""
+    """Returns observations up to 1, 2 and 4 s, and all of them."""
     *bounded, count = counts
     buckets = [{"le": bound, "count": number} for bound, number in zip((1.0, 2.0, 4.0), bounded)]
     sample = {"labels": {"method": method}, "count": count, "sum": 2.0 * count, "buckets": buckets}

@@ -1,4 +1,4 @@
-"""One rule for all outputs: commands write over files that contactd has written, and over others with --overwrite only."""
+"""Tests the rule for all outputs: commands overwrite files written by contactd, and others with --overwrite only."""
 
 import os
 import runpy
@@ -14,7 +14,7 @@ from .test_wear import STATES, STUDY
 FOREIGN = b"contactd's users keep their own notes here, {}, 1, 2, 3\n"
 SWEEP = "problem: contact.yaml\nvary: {approach: [0.01, 0.02]}\nanswers: [forces.Fn]\n"
 PROFILE = "".join(f"{y} {y * y / 600}\n" for y in range(-35, 36))
-#: The words of commands, and the files that each writes.
+#: Commands, and the files that each writes.
 OUTPUTS = [
     *((["solve", "contact.yaml", "--output", f"answer.{ending}"], [f"answer.{ending}"]) for ending in ("json", "h5", "png", "svg", "pdf")),
     (["contact", "run", "two.inp"], ["two.out", "two.0001.mat", "two.0002.mat"]),
@@ -45,7 +45,8 @@ def there(ctl):
 
 
 def check(there, words, names):
-    """The files are made, made again, left alone where others have written them, also behind a link, and made with --overwrite."""
+    """Files are created, recreated, left unchanged if others have written them, also through a link, and overwritten
+    with --overwrite."""
     first = there(*words)
     assert first.code == 0, first.err
     again = there(*words)
@@ -157,7 +158,7 @@ def test_the_mark_is_that_of_whole_files_too(tmp_path):
 
 @pytest.mark.parametrize("words", [["solve", "NAME"], ["contact", "check", "NAME"], ["profile", "show", "NAME"], ["study", "NAME", "--rows", "r"]])
 def test_messages_have_nothing_that_terminals_obey(ctl, words):
-    """Whatever files are called, and whatever is in them."""
+    """The rule applies for any names and contents of files."""
     name = "\x1b]0;owned\x07\x1b[2J.json"
     ctl.write(name, '{"\\u001b[2J": 1, "problem": {}, "vary": {"\\u001b[31m": [1]}}')
     ended = ctl(*(name if word == "NAME" else word for word in words))

@@ -1,4 +1,4 @@
-"""docs/contactctl.md: every example runs, and shows what it shows there; the manual page has every option."""
+"""Tests docs/contactctl.md: every example runs and prints the documented output; the manual page has every option."""
 
 import re
 import shlex
@@ -21,7 +21,7 @@ MANUAL = (ROOT / "packaging" / "man" / "contactctl.1").read_text().replace("\\-"
 
 
 def examples():
-    """Commands and what is shown of their output; None where nothing is."""
+    """Yields commands and their documented output, or None."""
     for block in re.findall(r"(?:^    .*\n(?:\n(?=    ))?)+", PAGE, re.MULTILINE):
         lines = [line[4:] for line in block.splitlines()]
         starts = [number for number, line in enumerate(lines) if line.startswith("$ ")]
@@ -31,7 +31,7 @@ def examples():
 
 @pytest.fixture
 def folder(own):
-    """With the files of the page, and a contactctl on the path."""
+    """Provides the files of the page, and contactctl on the path."""
     files = re.findall(r"^```(?:yaml\n#|text\n%) (\S+)\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)
     for name, text in files:
         own.write(name, text)
@@ -78,7 +78,7 @@ def test_exit_codes_are_on_both_pages():
 
 
 def commands(command, name):
-    """All that there are, by their names."""
+    """Returns all commands by their names."""
     if isinstance(command, click.Group):
         for word, part in command.commands.items():
             yield from commands(part, f"{name} {word}")

@@ -1,4 +1,4 @@
-"""profile show and convert, and files of profiles in problems."""
+"""Tests profile show and convert, and files of profiles in problems."""
 
 from __future__ import annotations
 

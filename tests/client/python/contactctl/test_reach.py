@@ -1,4 +1,4 @@
-"""Files may name others beside them and below, and no programs, unless the command line allows it."""
+"""Tests that files may only name files beside and below them, and no programs, unless the command line allows it."""
 
 import pytest
 
@@ -27,7 +27,7 @@ REFUSED = "is outside the folder of the file that names it; allow its folder wit
 
 @pytest.fixture
 def nested(ctl):
-    """Files in folders beside each other; commands are given those of `own`."""
+    """Creates adjacent folders with files; commands are given those of `own`."""
     for name in ("own", "other"):
         (ctl.folder / name).mkdir()
     (ctl.folder / "other" / "gap.txt").write_text("1 1\n1 1\n")

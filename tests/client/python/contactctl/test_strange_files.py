@@ -1,4 +1,4 @@
-"""Files that hold other than they say, more than there is room for, or that never end: a sentence each, and soon."""
+"""Tests files with wrong types, excessive sizes or endless contents: each causes a message soon."""
 
 import contextlib
 import os
@@ -37,7 +37,7 @@ def file(tmp_path):
 
 @pytest.fixture(autouse=True)
 def _little_memory():
-    """None of them takes more than this beyond what the tests have."""
+    """None of them uses more than this in addition to the tests."""
     with open("/proc/self/statm") as statm:
         before = int(statm.read().split()[1]) * resource.getpagesize()
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
@@ -47,7 +47,7 @@ def _little_memory():
 
 @pytest.fixture(params=["folder", "pipe", "socket", "/dev/zero", "/dev/full", "missing"])
 def strange(request, tmp_path):
-    """What is no file, in its folder, and what is said of it."""
+    """Creates something other than a file in its folder, with the expected message."""
     place = tmp_path / f"{request.param.strip('/').replace('/', '-')}.npy"
     match request.param:
         case "folder":

@@ -1,4 +1,4 @@
-"""Studies: what they mean, and that no end of the process loses or doubles a row."""
+"""Tests studies: their meaning, and that rows are neither lost nor duplicated however the process ends."""
 
 import csv
 import json
@@ -173,7 +173,7 @@ def test_a_study_that_cannot_be_meant_is_refused_before_anything_is_solved(lonel
 @pytest.mark.slow  # 2000 rows, begun four times
 @pytest.mark.timeout(240)
 def test_a_study_that_is_killed_three_times_has_every_row_once(own):
-    # Elements so many that a fast machine is not through with all rows between two looks at them.
+    # There are so many elements that even a fast machine does not finish all rows between two checks.
     own.write("fine.yaml", (own.folder / "contact.yaml").read_text().replace("{nx: 20, ny: 20, dx: 0.12, dy: 0.12}",
                                                                               "{nx: 100, ny: 100, dx: 0.024, dy: 0.024}"))  # fmt: skip
     own.write("study.yaml", "problem: fine.yaml\nvary:\n  approach: {from: 1e-3, to: 2e-2, count: 500}\n"
@@ -217,7 +217,7 @@ def test_a_daemon_that_comes_back_ends_no_study(daemons, own):
     assert len(json.loads(out)["rows"]) == 2000
 
 
-@pytest.mark.slow  # waits until the client gives the daemon up, and solves 2000 rows
+@pytest.mark.slow  # waits until the client abandons the daemon, and solves 2000 rows
 def test_a_daemon_that_stays_away_ends_it_with_3_and_keeps_its_rows(daemons, own):
     daemon = daemons.start("mortal")
     own.write("study.yaml", "problem: contact.yaml\nvary: {approach: {from: 1e-3, to: 2e-2, count: 2000}}\n")

@@ -1,4 +1,4 @@
-"""All rows of a study in one HDF5 file."""
+"""Tests all rows of a study in one HDF5 file."""
 
 import json
 from pathlib import Path
@@ -49,7 +49,7 @@ def test_without_h5py_it_is_told_before_anything_is_solved(lonely):
 
 
 def test_the_creep_tables_of_the_examples_are_hertzian_and_similar(ctl):
-    """A part of them, by the array's script: forces by friction depend on creepages by friction only."""
+    """Runs a part of them by the array's script; friction forces depend on creepages only with friction."""
     some = (TABLES / "study.yaml").read_text().splitlines()
     vary = ["  friction.mu: [0.1, 0.4]", "  friction.rolling.xi: [5e-4, 2e-3]", "  friction.rolling.eta: [-1e-3, -4e-3]",
             "  friction.rolling.phi: [2e-4, 8e-4]", "answers: [forces.Fx, forces.Fy, pmax, converged]"]  # fmt: skip

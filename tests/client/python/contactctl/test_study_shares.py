@@ -1,4 +1,4 @@
-"""Shares of a study: together they are the study, whoever is killed, and whatever their number was before."""
+"""Tests shares of a study: together they form the study, also after kills and with another number of shares."""
 
 import json
 import random
@@ -96,7 +96,7 @@ def test_a_share_writes_no_table(lonely, option):
 def test_two_shares_that_are_killed_three_times_have_every_row_once(lonely):
     lonely.write("study.yaml", "problem: contact.yaml\nvary:\n  approach: {from: 1e-3, to: 2e-2, count: 1500}\n"
                                "  friction.mu: [0.1, 0.2, 0.3, 0.4]\nanswers: [forces.Fn, forces.Fx]\n")  # fmt: skip
-    lonely.environment["TMPDIR"] = str(lonely.folder)  # who is killed leaves the folder of his tables
+    lonely.environment["TMPDIR"] = str(lonely.folder)  # a killed process leaves the folder of its tables
     files = [lonely.folder / f"study.yaml.rows.{index}-of-2" for index in range(2)]
 
     def count():

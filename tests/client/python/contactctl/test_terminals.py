@@ -1,4 +1,4 @@
-"""At a terminal: bars that live, colours, Ctrl-C. In a pipe: none of these, and quiet when who reads has gone."""
+"""Tests bars, colours and Ctrl-C at a terminal, and their absence in a pipe, including a closed one."""
 
 import os
 import pty
@@ -18,7 +18,7 @@ ESCAPE = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
 
 
 class Terminal:
-    """A command whose standard input, output and error are a terminal of 100 columns."""
+    """Runs a command whose standard input, output and error are a terminal of 100 columns."""
 
     def __init__(self, ctl, *words, before=lambda: None, **environment):
         self.master, slave = pty.openpty()
@@ -42,14 +42,14 @@ class Terminal:
         os.write(self.master, keys)
 
     def wait_for(self, pattern):
-        """Until it has shown up."""
+        """Reads until the text appears."""
         deadline = time.monotonic() + 30 * SLOWER
         while not re.search(pattern, self.text):
             assert time.monotonic() < deadline, self.text
             assert self._read(), f"it ended: {self.text}"
 
     def ended(self):
-        """The exit code, when all was read."""
+        """Returns the exit code after everything was read."""
         while self._read():
             pass
         return self.process.wait(30 * SLOWER)
@@ -66,7 +66,7 @@ class Terminal:
 
 
 def _take_terminal():
-    """So that Ctrl-C goes to the command."""
+    """Makes Ctrl-C reach the command."""
     import fcntl
     import termios
 

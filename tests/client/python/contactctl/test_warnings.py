@@ -1,4 +1,4 @@
-"""What answers warn of, on standard error: sentences for people, whatever Python's own filters say."""
+"""Tests warnings of answers on standard error, which are sentences regardless of Python's own filters."""
 
 import json
 
@@ -19,7 +19,7 @@ SOLVED = {
 
 @pytest.fixture
 def warning(lonely):
-    """contactctl of a server whose answers warn."""
+    """Runs contactctl with a server whose answers contain warnings."""
 
     def answer(request):
         result = {
@@ -66,7 +66,7 @@ def test_a_study_names_their_rows(warning):
     rows = "rows 1 (approach = 0.01), 2 (approach = 0.02) and 3 (approach = 0.03)"
     assert [line for line in ended.err.splitlines() if "wrong" in line] == [f"warning: {rows}: It is wrong."]
     assert "Traceback" not in ended.err
-    # Rows that are there keep what they warn of.
+    # Existing rows keep their warnings.
     again = warning("study", "study.json", "--json")
     assert [row["warnings"] for row in again.json["rows"]] == 3 * [["It is wrong.", "The mesh is coarse."]]
     assert f"warning: {rows}: It is wrong." in again.err

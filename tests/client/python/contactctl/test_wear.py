@@ -1,4 +1,4 @@
-"""wear: profiles that wear, from files to a file."""
+"""Tests wear: worn profiles, from files to a file."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ def test_a_step_says_why_it_ended_and_a_line_the_depth_of_all(files):
     assert all(step["depth"] < 0.02 for step in told["steps"])
     steps = read_record(files.folder / "wear.yaml.h5")
     total = told["total"]["wheel"]
-    # Depths of steps along the normals: where each is largest no other one is deeper.
+    # Returns depths of steps along the normals; where one is largest no other one is deeper.
     assert max(step.depths.max() for step in steps[1:]) < total["depth"] <= sum(step.depths.max() for step in steps[1:]) * (1 + 1e-6)
     assert f"After 100 km the wheel is worn by up to {total['depth']:.4g} mm, at y = {total['y']:.2f} mm" in shown.out
     assert f"{len(steps) - 2} of {len(steps) - 1} steps limited by stability: they are less deep than step.depth = 0.02 mm" in shown.out
@@ -88,7 +88,7 @@ def test_warnings_of_steps_name_states(files):
     lines = [line for line in ended.err.splitlines() if line.startswith("warning: ")]
     assert lines and all(re.match(r"warning: steps? [0-9, and]+: states\[[01]\](, states\[1\])?: ", line) for line in lines), ended.err
     assert len(lines) == len(set(lines))
-    # They are in the record, so that a run that goes on says them again.
+    # They are recorded, so that a resumed run repeats them.
     assert files("wear", "wear.yaml").err == ended.err
 
 

@@ -1,4 +1,4 @@
-"""Pictures of contactctl wheelrail solve: wheel and rail are those that Python draws of the same problem."""
+"""Tests pictures of contactctl wheelrail solve: wheel and rail are those drawn by Python for the same problem."""
 
 import re
 
@@ -20,7 +20,7 @@ pytest.importorskip("matplotlib").use("Agg")
 
 
 def lines(figure):
-    """Profiles, contacts and what else is drawn across the track."""
+    """Returns profiles, contacts and other lines drawn across the track."""
     return [np.transpose(line.get_data()) for line in figure.axes[0].lines]
 
 

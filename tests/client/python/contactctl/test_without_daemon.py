@@ -1,4 +1,4 @@
-"""Commands that solve, where no endpoint is named: they need no daemon, each of them alike."""
+"""Tests commands that solve without an endpoint, which need no daemon."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_answers_are_those_of_a_daemon(ctl):
 
 
 def test_an_endpoint_is_asked_where_one_is_named(files):
-    for named in (("-e", files.endpoint), ()):  # else that of the environment
+    for named in (("-e", files.endpoint), ()):  # otherwise that of the environment
         ended = files("solve", "contact.yaml", *named)
         assert ended.code == 3 and "No daemon answers at" in ended.err
 

@@ -1,4 +1,4 @@
-"""What filters of a step's depths keep, and by how much a groove changes in a step."""
+"""Tests which depths of a step filters keep, and how a groove changes in a step."""
 
 from __future__ import annotations
 
@@ -44,9 +44,9 @@ def test_the_critical_depth_is_that_of_the_page():
 @pytest.mark.parametrize("length", [1, 2, 3, 5, 10])
 @pytest.mark.parametrize("depth", [0.005, 0.02, 0.1])
 def test_no_groove_grows_in_a_step_also_in_partial_slip(length, depth):
-    """A groove takes pi E* h/(L pm) of itself off in a step of depth h, and 1.65 times that in partial slip."""
+    """In a step of depth h a groove decreases by the fraction pi E* h/(L pm), and 1.65 times that in partial slip."""
     given = wave(length)
-    length = 400 / round(400 / length)  # that has a whole number of halves
+    length = 400 / round(400 / length)  # contains a whole number of half waves
     for partial in (1.0, 1.65):
         q = partial * math.pi * MODULUS * depth / (length * PRESSURE)
         auto = 1 - q * gain(smoothed(given, 0.05, smoothing_length(depth, PRESSURE, MODULUS)), given)

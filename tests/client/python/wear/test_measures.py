@@ -1,4 +1,4 @@
-"""What gauges tell of profiles."""
+"""Tests gauge dimensions of profiles."""
 
 from __future__ import annotations
 
@@ -61,7 +61,7 @@ def test_points_run_from_either_end():
 
 
 def test_a_measured_wheel_has_its_gauges_by_either_order():
-    """Of a wheel near the S1002: flange height 28 mm, thickness 32.7, qR 12.2."""
+    """Uses a wheel similar to the S1002: flange height 28 mm, thickness 32.7, qR 12.2."""
     flange = [(-70, 9.5), (-64, 24.5), (-58, 27.7), (-55, 28), (-52, 27.6), (-49.5, 26), (-46, 20), (-38.5, 12), (-37.3, 10)]
     wheel = np.array([*flange, (-34, 7), (-26, 2.74), (0, 0), (60, -3.5)])
     for points in (wheel, wheel[::-1]):
@@ -93,7 +93,7 @@ def test_a_flange_at_positive_y_is_refused():
 
 
 def head(lean: float = 0.0) -> np.ndarray:
-    """A head of both sides, R 300 on top and corners of 13 mm, leaning to y < 0 by an angle."""
+    """Creates a head with both sides, R 300 on top and corners of 13 mm, inclined towards y < 0 by an angle."""
     y = np.linspace(-36, 36, 145)
     z = np.where(abs(y) < 23, y**2 / 600, 0.88 + 13 - np.sqrt(np.maximum(169 - (abs(y) - 23) ** 2, 0)))
     points = np.vstack([(-36, 30), np.column_stack([y, z]), (36, 30)])

@@ -68,7 +68,7 @@ def test_groups_are_called_what_files_call_them():
     assert texts[1] == r" _of \$x_{\$"
     tired = replace(TIRED, damages={"$\\frac{$": np.ones(40)})
     draw_competition(cracks, [STEPS[0], replace(STEPS[1], fatigue=tired)], "$\\frac{$")
-    figure.savefig(io.BytesIO())  # a formula that is none would be an error here
+    figure.savefig(io.BytesIO())  # an invalid formula would cause an error here
 
 
 def test_of_many_groups_those_are_told_apart_that_take_most():

@@ -1,4 +1,4 @@
-"""Where rows of the track lie on profiles."""
+"""Tests the positions of rows of the track on profiles."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def placed(across, down, x=0.0, left=False, **position):
 
 
 def in_track(point, x, position):
-    """A point of a wheel's profile at its lowest, in the track."""
+    """Returns a wheel's profile point at its lowest position, in the track."""
     roll, yaw = position["roll"], position["yaw"]
     across, below = ORIGIN + point[0], RADIUS + point[1]
     along = math.sqrt(below**2 - (below * math.cos(0)) ** 2)

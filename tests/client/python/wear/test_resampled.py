@@ -1,4 +1,4 @@
-"""Sections whose points have come apart."""
+"""Tests sections whose points have become too distant."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Sections that wear: what is deposited on them is kept, and what is gone between two of them is that."""
+"""Tests wearing sections: deposited wear is conserved, and equals the area between two sections."""
 
 from __future__ import annotations
 

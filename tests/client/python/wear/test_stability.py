@@ -1,4 +1,4 @@
-"""How deep steps may be, and by how much they are smoothed."""
+"""Tests the depth of steps, and their smoothing."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""States from files, and what a study refuses."""
+"""Tests states from files, and refusals of studies."""
 
 from __future__ import annotations
 
