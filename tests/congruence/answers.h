@@ -1,4 +1,4 @@
-/* What the driver in C says of a step: telling.py has the order. */
+/* Prints the results of a step for the driver in C, in the order of telling.py. */
 #ifndef ANSWERS_H
 #define ANSWERS_H
 
@@ -82,7 +82,7 @@ static void tell_motion(contactd_contact* contact) {
     for (int i = 0; i < 3; ++i) tell_field(contact, paths[kind][i]);
 }
 
-/* By whichever of these there is. */
+/* Uses whichever of these exists. */
 static void tell_derivatives(contactd_contact* contact) {
     static const char* const of[] = {"derivatives.Fx", "derivatives.Fy", "derivatives.Mz", "derivatives.Fn",
                                      "derivatives.approach"};

@@ -1,6 +1,7 @@
-"""The cases that all interfaces answer alike, each said once. Statements are those of contactd.h; driver.py has the words.
+"""Defines the cases that all interfaces answer alike, each once. Statements are those of contactd.h; driver.py defines
+their words.
 
-Every case is a contact of its own. Numbers of arrays are sums of few powers of two, which every language has exactly:
+Every case is a separate contact. Numbers of arrays are sums of few powers of two, which are exact in every language:
 "ramp" is base, scale, step, period: base + scale ((step i) mod period).
 """
 
@@ -107,7 +108,7 @@ CASES = {
     # histories
     "a-history": f"{SPHERE}; previous 1 0 0 1 0.125 0 0 1 -0.125 0 0 1; {SHIFT}; start; step",
     "a-history-of-rolling": f"{SPHERE}; previous 1 0.03125 7 12 0.125 0 0 1 0 0.015625 5 7; {TRANSIENT}; start; step",
-    # steps taken back, saved and restored
+    # steps that are reset, saved and restored
     "save-and-restore": f"{SPHERE}; {SHIFT}; start; step; save 1; step; step; restore 1; step",
     "two-states": f"{SPHERE}; {TRANSIENT}; start; save 1; step; save 2; step; restore 2; step; restore 1; step; forget 1; step",
     "a-step-again": f"{SPHERE}; {SHIFT}; start; step; again; shift 0.002 0.001 0; again; step",
@@ -173,7 +174,7 @@ CASES = {
 
 
 def write(path: Path) -> Path:
-    """The cases as lines, which all drivers read."""
+    """Returns the cases as lines, which all drivers read."""
     lines = [f"case {name}\n" + "\n".join(part.strip() for part in text.split(";")) for name, text in CASES.items()]
     path.write_text("\n".join(lines) + "\n")
     return path

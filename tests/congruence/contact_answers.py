@@ -1,5 +1,6 @@
-"""What CONTACT prints of a case, by both interfaces to its input files: contact_file.run, which `contactctl contact` uses,
-and the drop-in library. Quantities have the same names and shapes, in mm and N on body 1."""
+"""Lists the values that CONTACT prints of a case, by both interfaces to its input files: contact_file.run, which
+`contactctl contact` uses, and the drop-in library. Quantities have the same names and shapes, in mm and N on body
+1."""
 
 from __future__ import annotations
 
@@ -51,8 +52,8 @@ class Answers:
 
 
 def pairs(path: Path, folder: Path) -> Iterator[tuple[Case, Answers, Answers]]:
-    """Each case of a file with its answers by contact_file.run and by the drop-in library; histories one after the other,
-    each in its order. Files for the library are written into `folder`."""
+    """Yields each case of a file with its answers by contact_file.run and by the drop-in library; histories follow
+    each other, each in its order. Files for the library are written into `folder`."""
     with contactd.local(config={"workers": 1}) as client:
         _, text = name_and_text(path)
         cases = client.read_contact_file(text).cases
@@ -67,7 +68,7 @@ def pairs(path: Path, folder: Path) -> Iterator[tuple[Case, Answers, Answers]]:
 
 
 def differing(one: Answers, other: Answers) -> list[str]:
-    """Names of the quantities that are not the same."""
+    """Returns names of the quantities that differ."""
     if one.status != other.status:
         return ["status"]
     names = sorted({*one.quantities, *other.quantities})
@@ -83,7 +84,7 @@ def _is_same(name: str, one: Answers, other: Answers) -> bool:
     if (least := one.least.get(name)) is not None:
         first, second = (np.where(np.abs(values) < least, 0, values) for values in (first, second))
     compared_with = [first, second]
-    if name.endswith("slip"):  # where surfaces stick, slip is what rounding leaves of the rigid slip
+    if name.endswith("slip"):  # where surfaces stick, slip is the rounding error of the rigid slip
         prefix = name.removesuffix("slip").removesuffix("rigid ")
         compared_with += [one.quantities.get(f"{prefix}{motion}", first) for motion in ("rigid slip", "creepages")]
     largest = max(np.max(np.abs(values), initial=0) for values in compared_with)
@@ -109,7 +110,7 @@ def _least(solved: SolvedCase) -> dict[str, float]:
 
 
 def _motion(solved: SolvedCase) -> list[float]:
-    """Creepages or the shift, at the centre of spin, and spin."""
+    """Returns creepages or the shift, at the centre of spin, and spin."""
     values, numbers = solved.case.values, solved.answer.numbers
     if solved.case.digits["T"] == 0:
         return [0.0] * 3
@@ -130,7 +131,7 @@ def _basic(solved: SolvedCase) -> Quantities:
 
 
 def _of_contact(solved: SolvedCase, patch: Any, solution: Any) -> Quantities:
-    """What contacts of both modules have."""
+    """Returns values that contacts of both modules have."""
     numbers, grid, arrays, tangential = patch.numbers, patch.grid, patch.arrays, solved.case.digits["T"]
     counts = [numbers[name] for name in ("NPOT", "NCON", "NADH", "NSLIP")]
     along, across = (numbers["SPINXO"], numbers["SPINYO"]) if solved.case.module == 1 else (0.0, 0.0)
@@ -194,11 +195,11 @@ def _floats(*values: Any) -> Floats:
     return np.array(values, dtype=np.float64)
 
 
-# By the drop-in library.
+# Computes it by the drop-in library.
 
 
 def _of_drop_in(element: DropIn, case: Case, origin: Path, folder: Path, client: Any) -> Answers:
-    """A file has the first case of a history: P and I, by which it goes on, are set by their flags."""
+    """A file contains the first case of a history: P and I, which continue it, are set by their flags."""
     if case.digits["R"] in (2, 3):
         return Answers("read")
     path = folder / "case.inp"

@@ -1,10 +1,10 @@
 /*
- * The cases that paths.py writes, in a file, through contactd.h: where they are solved is what this is told, and what
- * it is linked with.
+ * Runs the cases written by paths.py, in a file, through contactd.h. The arguments and the linked library determine
+ * where they are solved.
  *
  *     congruence-c ipc:///run/contactd.sock cases.txt        congruence-c-local local cases.txt
  *
- * A line for each start, step and restore; telling.py says what stands in it.
+ * Prints a line for each start, step and restore; telling.py defines its contents.
  */
 #include "answers.h"
 #include "words.h"
@@ -14,14 +14,14 @@ enum { most_states = 10, most_rows = 64 };
 static contactd_contact* contact;
 static int32_t states[most_states];
 
-/* Words from i on as numbers. */
+/* Returns words from i on as numbers. */
 static const double* numbers(int i) {
     static double made[most_words];
     for (int n = i; n < count; ++n) made[n - i] = number(n);
     return made;
 }
 
-/* "ny direction y z": contact on the columns of the lower body's section. */
+/* Reads "ny direction y z": contact on the columns of the lower body's section. */
 static int32_t set_columns(void) {
     double y[most_rows], z[most_rows], angle[most_rows], frames[3 * most_rows];
     const int32_t rows = whole(1);
@@ -48,7 +48,7 @@ static int32_t set(void) {
     return -1;
 }
 
-/* The line of a call; one that a setter has refused for is not made. */
+/* Prints the line of a call, which is not made if a setter has refused a value for it. */
 static void call(void) {
     printf("%s %s", name, words[0]);
     if (refused == CONTACTD_OK) {

@@ -1,4 +1,4 @@
-// The cases of cases.py, in a file, through the C++ client; telling.py says what stands in a line.
+// Runs the cases of cases.py, in a file, through the C++ client; telling.py defines the contents of a line.
 //
 //     congruence-cpp ipc:///run/contactd.sock cases.txt
 #include <functional>
@@ -16,7 +16,7 @@ namespace {
 using namespace contactd;
 using Numbers = std::vector<double>;
 
-/// One contact: what was said of it, and its session.
+/// Holds one contact: its inputs so far, and its session.
 class Case {
    public:
     Case(client::Client& client, std::string name) : client_(client), name_(std::move(name)) {}

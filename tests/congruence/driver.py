@@ -1,6 +1,6 @@
-"""The cases of cases.py through the Python client; telling.py has what every driver says of them.
+"""Runs the cases of cases.py through the Python client; telling.py defines the output of every driver.
 
-What a case says holds until it is said anew, as in C; what was said since the start goes with each step.
+Statements of a case hold until they are changed, as in C; those since the start are sent with each step.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ CALLS = ("start", "step", "again", "save", "restore", "forget")
 
 
 def answers(client: Client, cases: Path) -> Iterator[str]:
-    """What the driver of Python says of the file `cases`."""
+    """Returns the output of the driver of Python for the file `cases`."""
     case: Case | None = None
     for name, *words in map(str.split, cases.read_text().splitlines()):
         if name == "case":
@@ -57,7 +57,7 @@ def answers(client: Client, cases: Path) -> Iterator[str]:
 
 
 class Case(Sections):
-    """One contact: a method for each word of the file."""
+    """Represents one contact: a method for each word of the file."""
 
     def __init__(self, client: Client, name: str) -> None:
         super().__init__()
@@ -236,7 +236,7 @@ class Case(Sections):
     # --- calls
 
     def _motion(self) -> dict[str, Any]:
-        # A step says that there is none, too, where the session may have been opened with one.
+        # A step also states that there is none, because the session may have been opened with one.
         force = tuple(self.force) if self.session is not None or any(f is not None for f in self.force) else None
         if self.is_rolling:
             return {"rolling": Rolling(**self.rolls, force=force)}

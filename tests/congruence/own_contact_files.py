@@ -1,4 +1,4 @@
-"""Small input files of the CONTACT program, one rule of its conventions each."""
+"""Provides small input files of the CONTACT program, one for each rule of its conventions."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ def basic(
     *, digits="203100", second="022020", third="0000301", solver="999 20 25 1 1e-6", motion="50000. 0.0005 0. 0.0001",
     friction="0.3 0.3", step="0. 0.5 20000.", bodies="0.28 0.28 82000. 82000.", area="-3\n15 15 6. 4. 1.1", more="",
 ):  # fmt: skip
-    """Steady rolling of an ellipse of 6 by 4 mm under 50 kN."""
+    """Describes steady rolling of an ellipse of 6 by 4 mm under 50 kN."""
     lines = ["3 MODULE", digits, second, third, solver, motion, friction, step, bodies, area, more]
     return "\n".join(line for line in lines if line) + "\n"
 
@@ -20,7 +20,7 @@ def rails(
     *, digits="1203100", second="0022033", friction="0.3 0.3", track="14. 0 1435. 0.", rail="'rail.txt' 0 1. 0. -1",
     wheel="'wheel.txt' 0 1. 0. -1", position="0. 1. 10000. 0. 0.001 0.", velocity="2000. 0. 0. 0. 0. -4.348", more="",
 ):  # fmt: skip
-    """A right wheel that rolls under 10 kN."""
+    """Describes a right wheel that rolls under 10 kN."""
     lines = ["1 MODULE", digits, second, "0000301", "999 20 25 1 1e-6", friction, more, "0.28 0.28 82000. 82000.",
              "0.5 0.5 1. 90d 8. 4.", track, rail, "0. 0. 0. 0. 0. 0.", "1360. -70. 460.", wheel, position, velocity]  # fmt: skip
     return "\n".join(line for line in lines if line) + "\n"
@@ -101,5 +101,5 @@ def _profile(y, z):
 
 
 _Y = np.linspace(-40, 40, 161)
-#: Files that the texts name: a rail of 300 mm radius, and a cone with a bend.
+#: Files named in the texts: a rail of 300 mm radius, and a cone with a bend.
 PROFILES = {"rail.txt": _profile(_Y, _Y**2 / 600), "wheel.txt": _profile(_Y[::-1], np.where(_Y > 10, -0.025 * _Y - 0.1 * (_Y - 10), -0.025 * _Y)[::-1])}

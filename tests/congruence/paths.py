@@ -1,4 +1,5 @@
-"""The cases in the words of contactd.h, for the drivers of C and Fortran: a line is a call, or sets a field by its path.
+"""Writes the cases in the words of contactd.h, for the drivers of C and Fortran: a line is a call, or sets a field by
+its path.
 
 set PATH NUMBER, word PATH KEYWORD, clear PATH, array PATH NUMBERS, table PATH NX NY DX DY NUMBERS, and columns NY DIRECTION Y Z,
 those of the lower body's section. What a case says of both bodies is said of each.
@@ -39,12 +40,12 @@ def settings(above: str, **values: str) -> list[str]:
 
 
 class Case:
-    """A method for each word of a case: the lines that it is."""
+    """Translates a case: a method for each word returns its lines."""
 
     def __init__(self) -> None:
         self.motion = ""
         self.grid_size = (0, 0)
-        self.curves: dict[str, str] = {}  # the outline that parts are added to, by its body
+        self.curves: dict[str, str] = {}  # outline to which parts are added, by its body
         self.parts = 0
         self.holes = 0
 

@@ -1,4 +1,4 @@
-// Cross-sections and curved columns, for the driver in C++.
+// Reads cross-sections and curved columns, for the driver in C++.
 #pragma once
 
 #include <map>
@@ -24,7 +24,7 @@ inline SectionShape ready_made(const Words& w) {
     return Slab{n(0), n(1)};
 }
 
-/// "body kind curvature smoothing depth from": a parabola.
+/// Reads "body kind curvature smoothing depth from": a parabola.
 inline SectionShape profile(const Words& w) {
     ProfilePoints points;
     for (int y = -34; y <= 34; ++y) points.points.push_back({double(y), y * y * number(w[3])});
@@ -37,7 +37,7 @@ inline SectionPoint point(const Words& w, std::size_t at) {
     return {number(w[at]), number(w[at + 1])};
 }
 
-/// Adds a part, or what else an outline has.
+/// Adds a part, or another element of an outline.
 inline void change_outline(OutlineSection& section, const Words& w) {
     auto& parts = (section.holes.empty() ? section.outside : section.holes.back()).parts;
     if (w[0] == "line") parts.push_back({LineTo{point(w, 2)}, w[4] == "1"});
@@ -55,7 +55,7 @@ inline void change_outline(OutlineSection& section, const Words& w) {
     }
 }
 
-/// "direction origin": those of the lower body's section, or of a plane.
+/// Reads "direction origin": those of the lower body's section, or of a plane.
 inline ContactColumns columns(const Words& w, const ContactSetup& setup, client::Client& client) {
     ContactColumns result;
     result.direction = number(w[1]);
@@ -75,7 +75,7 @@ inline ContactColumns columns(const Words& w, const ContactSetup& setup, client:
     return result;
 }
 
-/// What a word says of a body; false when it says nothing of sections.
+/// Applies a word to a body; returns false if the word does not concern sections.
 inline bool change_section(Body& body, const Words& w) {
     const auto begin = [&](SectionShape shape) {
         Ics ics;

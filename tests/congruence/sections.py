@@ -1,4 +1,4 @@
-"""Cross-sections and curved columns, for the driver of Python."""
+"""Reads cross-sections and curved columns, for the driver of Python."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-// What the driver in C++ says of a step: telling.py has the order.
+// Prints the results of a step for the driver in C++, in the order of telling.py.
 #pragma once
 
 #include <bit>
@@ -12,7 +12,7 @@
 
 namespace contactd {
 
-/// Tells a step, as driver.py says.
+/// Prints a step like driver.py.
 class Teller {
    public:
     void tell(const StepReply& reply, const Grid& grid) {

@@ -1,4 +1,4 @@
-/* How the drivers in C say numbers and arrays: telling.py has the words. */
+/* Prints numbers and arrays for the drivers in C, with the words of telling.py. */
 #ifndef TELLING_H
 #define TELLING_H
 
@@ -35,7 +35,7 @@ static uint64_t digest(uint64_t so_far, uint64_t more) {
     return (so_far * 65599 + more) % 4294967291u;
 }
 
-/* Arrays over the grid, of which a contact has the first and a wheel all. */
+/* Lists arrays over the grid, of which a contact has the first and a wheel all. */
 static const char* const arrays[] = {"element_division", "pressure", "traction_x", "traction_y",
                                      "slip_x",           "slip_y",   "gap"};
 enum { contact_arrays = 6, wheel_arrays = 7 };

@@ -1,5 +1,5 @@
-"""What every driver says of a case: a line for each call (start, step, again, save, restore, forget), with the case, the
-call, and
+"""Defines the output of every driver for a case: a line for each call (start, step, again, save, restore, forget),
+with the case, the call, and
 
 * of one that was refused: "refused", the code, the reason, and the field;
 * of a step: its number; Fn, Fx, Fy, Mz; approach; pmax; areas in contact, adhesion, slip; the elements of these, and at the
@@ -8,7 +8,7 @@ call, and
   approach by x, y, turn, load, mu; the number and digest of warnings; digests of the arrays;
   the resultant on curved columns.
 
-Numbers are the 16 digits of their bits, "-" stands for what there is not.
+Numbers are the 16 digits of their bits, "-" represents a missing value.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from contactd import Rolling
 __all__ = ["ARRAYS", "told"]
 
 ARRAYS = ("element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y")
-#: What an answer may be derived by, in order; shifts are pairs, and looked for beside these.
+#: Inputs by which an answer may have derivatives, in order; shifts are pairs, and treated separately.
 INPUTS = (("xi",), ("eta",), ("phi", "rotation"), ("approach", "Fn"), ("mu",))
 
 

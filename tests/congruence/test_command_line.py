@@ -1,5 +1,5 @@
-"""The cases through contactctl: each history that Python takes, replayed from a file, has the same answers to the last bit, and
-what is refused is refused with the same field and an exit code."""
+"""Tests the cases through contactctl: each history of the Python driver, replayed from a file, has the same answers to
+the last bit, and refusals name the same field and have an exit code."""
 
 from __future__ import annotations
 
@@ -21,14 +21,14 @@ from contactctl.output import plain_json
 from contactd.transport.frames import decode
 from integration.conftest import shared_daemon  # noqa: F401
 
-#: What a history has no words for.
+#: Calls that histories do not support.
 BEYOND = {"session.save", "session.restore", "session.forget"}
-#: Python refuses to send them, as it would from a file.
+#: Calls that Python refuses to send, also from a file.
 REFUSED_HERE = {"an-approach-that-is-no-number"}
 
 
 class Recording(contactd.Client):
-    """A client that keeps what goes to the daemon, and what comes back."""
+    """Records messages to the daemon and its answers."""
 
     def __init__(self, endpoint: str) -> None:
         super().__init__(endpoint)
@@ -48,7 +48,7 @@ class Recording(contactd.Client):
 
 @pytest.fixture(scope="module")
 def recorded(shared_daemon: Any, tmp_path_factory: pytest.TempPathFactory) -> dict[str, list[tuple[str, dict[str, Any], Any]]]:  # noqa: F811
-    """The calls of each session, by cases; those that Python refuses before they go are not among them."""
+    """Returns the calls of each session, by cases, without those that Python refuses before sending."""
     folder, found = tmp_path_factory.mktemp("cases"), {}
     with Recording(shared_daemon.endpoint) as client:
         for name, text in CASES.items():
@@ -60,7 +60,7 @@ def recorded(shared_daemon: Any, tmp_path_factory: pytest.TempPathFactory) -> di
 
 
 def history(calls: list[tuple[str, dict[str, Any], Any]]) -> Iterator[tuple[str, dict[str, Any], Any]]:
-    """Up to what fails, or what a history has no words for."""
+    """Returns the calls up to a failure, or to a call that histories do not support."""
     for method, params, answer in calls:
         if method in BEYOND or params.get("again"):
             return

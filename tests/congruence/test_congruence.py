@@ -1,4 +1,5 @@
-"""One contact, eight ways to it: every interface answers every case alike, to the last bit, and refuses the same."""
+"""Tests one contact in eight ways: every interface has the same answers to all cases, to the last bit, and the same
+refusals."""
 
 from __future__ import annotations
 
@@ -23,7 +24,7 @@ from support.slowness import SLOWER
 #: The drivers that set fields by their paths.
 BY_PATH = {"c", "c-local-with-a-daemon", "c-local", "fortran"}
 
-#: Cases that an interface cannot say, and why; none at present.
+#: Cases that an interface does not support, with reasons; none at present.
 CANNOT: dict[str, dict[str, str]] = {}
 
 
@@ -34,7 +35,7 @@ def cases(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def expected(shared_daemon, cases) -> list[str]:  # noqa: F811
-    """What Python says with a daemon."""
+    """Returns the output of Python with a daemon."""
     with contactd.Client(shared_daemon.endpoint) as client:
         return list(answers(client, cases))
 
@@ -64,7 +65,7 @@ SESSIONS = (contactd.AsyncSession, contactd.AsyncWheelRailSession)
 
 
 class Awaited:
-    """What an AsyncClient or its session answers, for a driver that knows of no event loop."""
+    """Returns the answer of an AsyncClient or its session, for a driver without an event loop."""
 
     def __init__(self, runner: Callable[[Any], Any], of: Any) -> None:
         self._runner, self._of = runner, of
@@ -94,7 +95,7 @@ def python_pickled(where: str, cases: Path) -> list[str]:
         return list(answers(arrived, cases))
 
 
-WAYS: dict[str, tuple[Callable[[str, Path], list[str]], bool]] = {  # and whether they ask the daemon
+WAYS: dict[str, tuple[Callable[[str, Path], list[str]], bool]] = {  # true if they use the daemon
     "python-local": (python_in_process, False),
     "python-async": (python_async, True),
     "python-pickled": (python_pickled, True),
@@ -107,7 +108,7 @@ WAYS: dict[str, tuple[Callable[[str, Path], list[str]], bool]] = {  # and whethe
 
 
 def one_reason(line: str) -> str:
-    """C, C++ and Fortran look at a problem before they send it, and have one reason for all that is wrong with it."""
+    """C, C++ and Fortran check a problem before they send it, and have one reason for all errors in it."""
     return line.replace(" ARRAY_INVALID ", " FIELD_INVALID ")
 
 

@@ -1,4 +1,5 @@
-"""Input files of the CONTACT program have the same answers both ways: by contact_file.run and by the drop-in library."""
+"""Tests that input files of the CONTACT program have the same answers by contact_file.run and by the drop-in
+library."""
 
 from pathlib import Path
 
@@ -23,7 +24,7 @@ def given():
 
 
 def differences(path, folder):
-    """Quantities that differ, with the outcomes of their cases."""
+    """Returns quantities that differ, with the outcomes of their cases."""
     compared = list(pairs(path, folder))
     assert compared
     return [

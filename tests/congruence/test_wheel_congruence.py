@@ -1,4 +1,5 @@
-"""One wheel on its rail, eight ways to it: every interface answers every case alike, to the last bit, and refuses the same."""
+"""Tests one wheel on its rail in eight ways: every interface has the same answers to all cases, to the last bit, and
+the same refusals."""
 
 from __future__ import annotations
 
@@ -20,14 +21,14 @@ EVERY = {**EVERYWHERE, **WITHOUT_C}
 
 @pytest.fixture(scope="module")
 def cases(tmp_path_factory: pytest.TempPathFactory) -> dict[bool, Path]:
-    """All cases, and those that C has words for."""
+    """Returns all cases, and those that C supports."""
     folder = tmp_path_factory.mktemp("wheels")
     return {True: write(folder / "every.txt", EVERY), False: write(folder / "everywhere.txt", EVERYWHERE)}
 
 
 @pytest.fixture(scope="module")
 def expected(shared_daemon, cases) -> list[str]:  # noqa: F811
-    """What Python says with a daemon."""
+    """Returns the output of Python with a daemon."""
     with contactd.Client(shared_daemon.endpoint) as client:
         return list(wheel_answers(client, cases[True]))
 

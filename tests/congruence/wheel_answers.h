@@ -1,4 +1,4 @@
-/* What the driver in C says of a wheel on its rail: wheel_telling.py has the order. */
+/* Prints the results of a wheel on its rail for the driver in C, in the order of wheel_telling.py. */
 #ifndef WHEEL_ANSWERS_H
 #define WHEEL_ANSWERS_H
 
@@ -23,7 +23,7 @@ static void tell_whole_field(contactd_wheel* wheel, const char* prefix, const ch
     tell_whole((int32_t)value, code);
 }
 
-/* The numbers of an object. */
+/* Prints the numbers of an object. */
 static void tell_object(contactd_wheel* wheel, const char* prefix, const char* path, int32_t count_of_numbers) {
     double v[6] = {0};
     const int32_t code = contactd_get_array(wheel, path_of(prefix, path), v, count_of_numbers);

@@ -1,6 +1,7 @@
-"""Wheels on rails that all interfaces answer alike; wheel_driver.py has the words. Statements are those of contactd.h.
+"""Defines wheels on rails that all interfaces answer alike; wheel_driver.py defines their words. Statements are those
+of contactd.h.
 
-A wheel that nothing was said of is a right one, S1002 on 60E1 at 1/40, gauge 1435, of steel, with mu = 0.3.
+A wheel without statements is a right one, S1002 on 60E1 at 1/40, gauge 1435, of steel, with mu = 0.3.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ EVERYWHERE = {
     "points": f"{COARSE}; {POINTS}; {ROLLS}; solve",
     "a-roller": f"{COARSE}; roller 600; roller_pitch 33; velocity 0 0 0 0 0 -43.4; Fz 60000; solve",
     "a-rail-that-varies": f"{ARCS}; add_slice -100; arc rail 200 0.05 -30 30; add_slice 100; x 20; solve",
-    # wheels that are not round, rails on springs
+    # out-of-round wheels, rails on springs
     "on-its-flat": f"{ON_FLAT}; solve; pitch_angle 0.02; solve; pitch_angle 6.3; position 1 0 0 0.002; solve",
     "round-again": f"{ON_FLAT}; pitch_angle 0.01; solve; clear_wheel_slices; solve",
     "a-left-wheel-with-a-flat": f"side left; {ON_FLAT}; pitch_angle -0.03; derivatives 1; solve",
@@ -86,7 +87,7 @@ EVERYWHERE = {
 }
 REFUSED = {name for name in EVERYWHERE if list(EVERYWHERE).index(name) >= list(EVERYWHERE).index("no-gauge")}
 
-#: What contactd.h has no words for: the search alone, and sessions that the caller steps.
+#: Calls that contactd.h does not support: the search alone, and sessions that the caller steps.
 WITHOUT_C = {
     "where-it-touches": f"{ASIDE}; geometry; position 7.5 0 0.0005 0.0168; geometry; side left; geometry",
     "where-it-would-touch": f"{COARSE}; position 0 -3 0 0; geometry",
@@ -96,7 +97,7 @@ WITHOUT_C = {
 
 
 def write(path: Path, cases: dict[str, str]) -> Path:
-    """The cases as lines, which all drivers read."""
+    """Returns the cases as lines, which all drivers read."""
     lines = [f"case {name}\n" + "\n".join(part.strip() for part in text.split(";")) for name, text in cases.items()]
     path.write_text("\n".join(lines) + "\n")
     return path

@@ -1,10 +1,10 @@
 /*
- * The cases of wheel_cases.py, in a file, through contactd.h: where they are solved is what this is told, and what it
- * is linked with.
+ * Runs the cases of wheel_cases.py, in a file, through contactd.h. The arguments and the linked library determine where
+ * they are solved.
  *
  *     congruence-wheel-c ipc:///run/contactd.sock cases.txt        congruence-wheel-c-local local cases.txt
  *
- * A line for each solve; wheel_telling.py says what stands in it.
+ * Prints a line for each solve; wheel_telling.py defines its contents.
  */
 #include "wheel_answers.h"
 #include "words.h"
@@ -17,7 +17,7 @@ static int slices[2];
 
 /* --- what a line says ---------------------------------------------------------------------------------------- */
 
-/* The number behind each word goes to the next of these paths. */
+/* Sets the next of these paths to the number after each word. */
 static const struct {
     const char *word, *paths[6];
 } numbers[] = {
@@ -68,7 +68,7 @@ static int32_t first(int32_t code, int32_t next) {
     return code != CONTACTD_OK ? code : next;
 }
 
-/* Words from i on as numbers; how many. */
+/* Returns the count of words from i on that are numbers. */
 static int32_t all_numbers(int i, double* made) {
     int32_t n = 0;
     for (; i < count; ++i) made[n++] = number(i);
@@ -86,7 +86,7 @@ static const char* body(int i) {
     return strcmp(words[i], "wheel") == 0 ? "setup.bodies.lower" : "setup.bodies.upper";
 }
 
-/* What the line says is the profile at `path`; -1: it says something else. */
+/* Sets the profile at `path` from the line; returns -1 if the line is not a profile. */
 static int32_t set_profile_at(const char* path) {
     char field_name[200];
     int32_t code;

@@ -1,4 +1,4 @@
-// The cases of wheel_cases.py, in a file, through the C++ client; wheel_telling.py says what stands in a line.
+// Runs the cases of wheel_cases.py, in a file, through the C++ client; wheel_telling.py defines the contents of a line.
 //
 //     congruence-wheel-cpp ipc:///run/contactd.sock cases.txt
 #include <cstdio>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace contactd;
 
-/// One wheel: what was said of it, and its session.
+/// Holds one wheel: its inputs so far, and its session.
 class Wheel {
    public:
     Wheel(client::Client& client, std::string name) : client_(client), name_(std::move(name)) {}

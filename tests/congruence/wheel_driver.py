@@ -1,4 +1,4 @@
-"""The cases of wheel_cases.py through the Python client; wheel_telling.py has what every driver says of them."""
+"""Runs the cases of wheel_cases.py through the Python client; wheel_telling.py defines the output of every driver."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ STEEL = Material(G=82000, nu=0.28)
 
 
 def wheel_answers(client: Client, cases: Path) -> Iterator[str]:
-    """What the driver of Python says of the file `cases`."""
+    """Returns the output of the driver of Python for the file `cases`."""
     wheel: Wheel | None = None
     for word, *rest in map(str.split, cases.read_text().splitlines()):
         if word == "case":
@@ -49,7 +49,7 @@ def wheel_answers(client: Client, cases: Path) -> Iterator[str]:
 
 
 class Wheel:
-    """One wheel: a method for each word of the file."""
+    """Represents one wheel: a method for each word of the file."""
 
     def __init__(self, client: Client, name: str) -> None:
         self._client, self.name = client, name

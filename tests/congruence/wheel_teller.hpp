@@ -1,4 +1,4 @@
-// What the driver in C++ says of a wheel on its rail: wheel_telling.py has the order.
+// Prints the results of a wheel on its rail for the driver in C++, in the order of wheel_telling.py.
 #pragma once
 
 #include <bit>

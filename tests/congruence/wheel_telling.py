@@ -1,4 +1,4 @@
-"""What every driver says of a wheel on its rail.
+"""Defines the output of every driver for a wheel on its rail.
 
 After the case's name and that of the call, and the step's number in a session: height, pitch rate, clearance; forces in
 track, rail and wheelset coordinates; derivatives by y, z, roll, yaw and by x, y, z, roll, yaw, pitch; whether it
@@ -36,7 +36,7 @@ def warnings(said: tuple[str, ...]) -> Iterator[str]:
 
 
 def corner(at: float | None, count: int, size: float) -> float:
-    """Of element 0; that of a centred grid is not said."""
+    """Of the grid, only the position of element 0 is printed; that of a centred grid is omitted."""
     return -0.5 * count * size if at is None else at
 
 

@@ -1,4 +1,4 @@
-/* The cases that both drivers in C read: a line is a word and what belongs to it. */
+/* Reads the cases for both drivers in C: a line is a word and its arguments. */
 #ifndef WORDS_H
 #define WORDS_H
 
@@ -14,7 +14,7 @@ enum { most_words = 2000, longest_line = 65536 };
 
 static contactd_connection* place;
 static char name[100];  /* of the case */
-static int32_t refused; /* what a setter answered since the last line; a step would not know of it */
+static int32_t refused; /* result of a setter since the last line, which a step would not report */
 static char reason[100], field[100];
 
 static char* words[most_words];
@@ -51,7 +51,7 @@ static void split(char* line) {
         words[count++] = next;
 }
 
-/* "WHERE CASES": opens the place, and has each line of the file taken that says something. */
+/* Takes the arguments "WHERE CASES", opens the connection, and processes each line with a statement. */
 static int read_cases(int arguments, char** argument, void (*take)(void)) {
     static char line[longest_line];
     FILE* cases = arguments == 3 ? fopen(argument[2], "r") : NULL;

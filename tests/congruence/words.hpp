@@ -1,4 +1,4 @@
-// Cases of the drivers in C++: their words, the bodies and tables that these make, and the calls.
+// Reads cases for the drivers in C++: their words, the bodies and tables made by them, and the calls.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ inline double number(const std::string& word) {
     return std::stod(word);
 }
 
-/// xx, yy and zz that fall by four with each offset, and nothing else.
+/// Creates a table whose xx, yy and zz decrease by a factor of four with each offset, without other components.
 inline GivenIcs table(const Words& words) {
     const int nx = std::stoi(words[2]), ny = std::stoi(words[3]);
     GivenIcs given{IcTable(nx, ny), number(words[4]), number(words[5])};
@@ -35,7 +35,7 @@ inline GivenIcs table(const Words& words) {
     return given;
 }
 
-/// "body shape base_G base_nu", and "thickness G nu" of each layer.
+/// Reads "body shape base_G base_nu", and "thickness G nu" of each layer.
 inline Body layered(const Words& words) {
     Layers layers{{}, number(words[3]) == 0 ? Material::rigid() : Material{number(words[3]), number(words[4])}};
     for (std::size_t at = 5; at < words.size(); at += 3)
@@ -43,7 +43,7 @@ inline Body layered(const Words& words) {
     return Body::of(layers, words[2] == "bilinear" ? LoadShape::bilinear : LoadShape::constant);
 }
 
-/// Prints the line of a call: its case, its word, and what it prints itself or how it is refused.
+/// Prints the line of a call: its case, its word, and its own output or the refusal.
 template <class Call>
 void print_call(const std::string& name, const std::string& word, const Call& call) {
     std::printf("%s %s", name.c_str(), word.c_str());

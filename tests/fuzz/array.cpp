@@ -1,4 +1,4 @@
-// One array: refused in words, or read; and what was read is the same when it is written and read again.
+// Fuzzes one array: it is refused with a message, or read; a read array is the same after it is written and read again.
 #include <algorithm>
 
 #include "contactd/proto/message.hpp"
@@ -12,7 +12,7 @@ namespace {
 using Shape = std::vector<std::size_t>;
 constexpr std::size_t max_axes = 4, max_extent = 8;
 
-/// The first byte is the number of axes, then comes the extent of each.
+/// The first byte is the number of axes, followed by the extent of each.
 Shape take_shape(std::string_view& bytes) {
     const auto take = [&](std::size_t below) {
         const auto byte = static_cast<unsigned char>(bytes.empty() ? 1 : bytes.front());
@@ -35,7 +35,7 @@ void check(const Read& read, const nlohmann::json& source, const Frames& frames,
         return;
     }
     for (const ArrayEncoding encoding : {ArrayEncoding::frame, ArrayEncoding::list}) {
-        // A list cannot say how long the axes behind an empty one are.
+        // A list does not contain the length of the axes after an empty one.
         if (values.empty() && shape.size() > 1) return;
         ArrayWriter arrays(encoding);
         const nlohmann::json written = arrays.write(values, shape);

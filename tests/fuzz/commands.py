@@ -1,6 +1,8 @@
-"""Fuzzes the commands that read files of others: contact, wear and study, with damaged files, hostile names and signals.
+"""Fuzzes the commands that read untrusted files: contact, wear and study, with damaged files, malicious names and
+signals.
 
-    commands.py [SECONDS] [SEED]    for so long (default 60); what is found is left in build/fuzz/found/commands-SEED-N
+    commands.py [SECONDS] [SEED] runs for this time (default 60); findings are stored in
+    build/fuzz/found/commands-SEED-N
 
 Each run has a folder of its own, and beside it one with secrets. A finding is a run that takes longer than it may, does not end
 soon after a signal, ends with a traceback or a code that no page has, changes or tells a file beside its folder, writes over a
@@ -93,7 +95,7 @@ NUMBERS = ["nan", "-inf", "1e308", "-1", "0", "999999999999", "1e-320", "0x10", 
 
 @dataclass(frozen=True)
 class Run:
-    """A command in a folder, with the signal that it gets, if any, and when."""
+    """Describes a command in a folder, with the signal that it gets, if any, and the time."""
 
     words: list[str]
     foreign: list[str]
@@ -102,7 +104,7 @@ class Run:
 
 
 def damaged(text: str, chance: random.Random) -> str:
-    """The text with some of what damages files, and what is meant to harm."""
+    """Returns the text after random damage, including malicious changes."""
     for _ in range(chance.choice([1, 1, 2, 4])):
         lines = text.split("\n")
         line = chance.randrange(len(lines))
@@ -165,7 +167,7 @@ def prepared(place: Path, chance: random.Random) -> Run:
 
 
 def started(run: Run, place: Path, main: Callable[[list[str]], None]) -> int:
-    """The process of the command, a copy of this one, which has everything loaded."""
+    """Forks the process of the command, which has all modules loaded."""
     process = os.fork()
     if process:
         return process
@@ -189,7 +191,7 @@ def started(run: Run, place: Path, main: Callable[[list[str]], None]) -> int:
 
 
 def ended(process: int, seconds: float) -> int | None:
-    """The code with which it ends within this time, negative of a signal; None where it does not."""
+    """Returns the code with which it ends within this time, negative for a signal; None if it does not end."""
     until = time.monotonic() + seconds
     while time.monotonic() < until:
         found, status = os.waitpid(process, os.WNOHANG)
@@ -200,7 +202,7 @@ def ended(process: int, seconds: float) -> int | None:
 
 
 def findings(run: Run, place: Path, main: Callable[[list[str]], None]) -> list[str]:
-    """Runs the command, and looks at what it has done."""
+    """Runs the command, and checks its effects."""
     process, sent = started(run, place, main), run.sent
     code = ended(process, LONGEST if sent is None else run.after)
     found = [] if code is not None or sent is not None else [f"takes longer than {LONGEST:g} s"]
@@ -220,7 +222,7 @@ def findings(run: Run, place: Path, main: Callable[[list[str]], None]) -> list[s
 
 
 def traces(run: Run, place: Path, was_killed: bool) -> list[str]:
-    """What a run has left that it must not leave."""
+    """Returns forbidden traces of a run."""
     own, other = place / "own", place / "other"
     found = []
     if b"Traceback" in (place / "err").read_bytes():
@@ -236,7 +238,7 @@ def traces(run: Run, place: Path, was_killed: bool) -> list[str]:
 
 
 def fuzz(seconds: float, seed: int, kept: Path | None = None, most: int = 1_000_000) -> list[str]:
-    """What is found in this time and so many runs; the folder of each is kept."""
+    """Returns the findings within this time and number of runs; the folder of each is kept."""
     from contactctl import app  # noqa: F401  # loaded once, for all
     from contactctl.main import main
 

@@ -1,5 +1,5 @@
-// A configuration: refused with every problem found, or read; and what was read is the same when it is written and
-// read.
+// Fuzzes a configuration: it is refused with every problem found, or read; a read one is the same after it is written
+// and read.
 #include "config/config.hpp"
 
 #include "contactd/error.hpp"

@@ -1,4 +1,4 @@
-// Input files of the CONTACT program, and lists of slices where the first byte is an L.
+// Fuzzes input files of the CONTACT program, and lists of slices if the first byte is an L.
 #include <cmath>
 #include <variant>
 

@@ -21,7 +21,7 @@ namespace {
 constexpr int most_edits = 12;
 constexpr std::size_t most_axes = 7, most_extent = 6;
 
-/// Takes what a fuzzer sent apart.
+/// Parses the bytes of the fuzzer.
 class Bytes {
    public:
     Bytes(const std::uint8_t* data, std::size_t size) : left_(fuzz::bytes_of(data, size)) {}
@@ -86,7 +86,7 @@ H5::DataSpace space_of(Bytes& bytes) {
     return axes == 0 ? H5::DataSpace(H5S_SCALAR) : H5::DataSpace(static_cast<int>(axes), extents.data());
 }
 
-/// Values of some type and shape; `write` makes an attribute or a dataset of them.
+/// Creates values of some type and shape; `write` makes an attribute or a dataset of them.
 template <class Write>
 void put_values(Bytes& bytes, const Write& write) {
     const std::size_t kind = bytes.below(5);
@@ -162,7 +162,7 @@ std::vector<unsigned char> edited(std::vector<unsigned char> image, Bytes& bytes
         try {
             bytes.below(4) == 0 ? edit_link(file, bytes) : edit_attribute(file, bytes);
         } catch (const H5::Exception&) {
-            // An edit that HDF5 does not allow, such as a value that does not fit its type.
+            // Reports an edit that HDF5 does not allow, such as a value that does not fit its type.
         }
     }
     file.flush(H5F_SCOPE_GLOBAL);
@@ -188,7 +188,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                       "tables have the extent that the spec says");
         for (const LoadCaseEvidence& load_case : record.evidence.load_cases)
             fuzz::require(!name_of(load_case.load).empty(), "a load has an axis");
-        (void)record_from(from_hdf5(to_hdf5(contents_of(record))));  // what was read can be written and read
+        (void)record_from(from_hdf5(to_hdf5(contents_of(record))));  // a read record can be written and read
     } catch (const StoreError&) {
     }
     return 0;

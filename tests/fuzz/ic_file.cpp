@@ -1,4 +1,4 @@
-// An IC file up to its digest: HDF5, which is not made for hostile files, must never see one that fails.
+// Fuzzes an IC file up to its digest: HDF5, which is not made for malicious files, must never read one that fails.
 #include "contactd/ic_store.hpp"
 #include "input.hpp"
 

@@ -1,5 +1,5 @@
-// Requests of ic.import, up to the record that the store would keep: they are refused in words, or read; and what was
-// read is that of an elastic body, and the same when it is written and read again.
+// Fuzzes requests of ic.import, up to the record that the store would keep. They are refused with a message, or read; a
+// read record is that of an elastic body, and the same after it is written and read again.
 #include "contactd/error.hpp"
 #include "contactd/ic_contents.hpp"
 #include "contactd/ic_store.hpp"

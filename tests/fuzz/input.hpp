@@ -1,5 +1,5 @@
-// How the bytes of a fuzzer become a message: text up to the first zero byte, and behind it frames, each two bytes of
-// length (little-endian) and as many bytes as there are.
+// Converts the bytes of a fuzzer to a message: text up to the first zero byte, followed by frames, each with two bytes
+// of length (little-endian) and its bytes.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ inline Input split(std::string_view bytes) {
     return input;
 }
 
-/// Ends the program where `holds` is false; a fuzzer keeps the input that does that.
+/// Ends the program if `holds` is false; a fuzzer keeps such an input.
 inline void require(bool holds, const char* what) {
     if (holds) return;
     std::fprintf(stderr, "does not hold: %s\n", what);

@@ -1,5 +1,5 @@
-// Mutates the text of a message as JSON: numbers become others that are near, far, or those of another place; members
-// and elements go, come twice or change places. Bytes are mutated as libFuzzer does it in every other input.
+// Mutates the text of a message as JSON: numbers become similar, different, or those of another place; members and
+// elements are removed, duplicated or exchanged. In every other input, libFuzzer mutates the bytes.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -76,7 +76,7 @@ class Mutation {
         }
     }
 
-    // Nodes that were collected below the node are gone afterwards.
+    // Collected nodes below the node no longer exist afterwards.
 
     void leave_out_of(json& object) {
         if (object.empty()) return;

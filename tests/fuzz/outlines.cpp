@@ -1,5 +1,5 @@
-// Sections of ic.get, up to the mesh that gmsh fills their outline with: a section is refused in words, or
-// meshed whole. Sections are small, so that an input takes milliseconds; meshes are as fine as builders make them.
+// Fuzzes sections of ic.get, up to the mesh that gmsh fills their outline with: a section is refused with a message, or
+// meshed completely. Sections are small, so that an input takes milliseconds; meshes are as fine as those of builders.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -90,7 +90,7 @@ void mesh(const IcSpec& spec) {
 
 }  // namespace
 
-/// gmsh throws where it gives up within a mesh, and leaves its memory behind; a builder ends then.
+/// gmsh throws if it abandons a mesh, and does not free its memory; a builder ends then.
 extern "C" const char* __lsan_default_suppressions() {
     return "leak:libgmsh.so\n";
 }

@@ -1,5 +1,4 @@
-// Files of profiles, and the curves that are made of them. The first byte says which format follows, and how it is
-// read.
+// Fuzzes files of profiles, and the resulting curves. The first byte selects the format and the kind of reading.
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -15,8 +14,8 @@ namespace {
 
 using namespace contactd;
 
-/// The profile of a text: its points from 0 on, smoothed from 5 on, the text itself from 10 on, with more said beside
-/// it.
+/// Reads the profile of a text: its points from 0 on, smoothed from 5 on, the text itself from 10 on, with additional
+/// options.
 ProfileSpec profile_of(std::uint8_t how, const std::string& name, std::string_view text) {
     const ProfileKind kind = name == "a.prw" || name == "a.whl" ? ProfileKind::wheel : ProfileKind::rail;
     if (how < 10) {

@@ -13,7 +13,7 @@ namespace {
 void replay(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
     const std::string bytes(std::istreambuf_iterator<char>(file), {});
-    std::fprintf(stderr, "%s\n", path.c_str());  // the last one named is the one that ended the program
+    std::fprintf(stderr, "%s\n", path.c_str());  // the last name printed is that of the failing input
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
 }
 

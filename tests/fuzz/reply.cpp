@@ -1,5 +1,5 @@
-// An answer as the clients of C and C++ read it: it conforms to its schema and is read, or it is refused. A document of
-// nlohmann-json, which reads the same, conforms alike.
+// Fuzzes an answer as the clients of C and C++ read it: it conforms to its schema and is read, or it is refused. A
+// document of nlohmann-json with the same content conforms equally.
 #include <cstdlib>
 
 #include "contactd/error.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 const contactd::Grid grid = contactd::Grid::of_elements(2, 1, 1, 1);
 
-/// Decodes the answers that are read without a document in between.
+/// Decodes the answers that are read without an intermediate document.
 void decode(const std::string& method, const AnswerValue& result, const Frames& frames) {
     if (method == "contact.solve") decode_solve_reply(result, frames);
     if (method == "wheelrail.solve") decode_wheel_rail_solution(result, frames);
@@ -67,11 +67,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         (void)violations_of("progress", answer);
         return 0;
     }
-    // A name that an object has twice is refused only where a document still has both.
+    // A duplicate name in an object is refused only while the document contains both.
     if (succeeded(answer) && !succeeded(reply)) std::abort();
     if (!succeeded(answer)) return 0;
     if (const Status status = status_from_json(reply.at("status")); !status.ok()) return 0;
-    // The method is not in a reply; the client knows what it asked for.
+    // A reply does not contain the method, which the client remembers.
     const auto result = answer.find("result");
     const Frames frames(input.frames.begin(), input.frames.end());
     for (const std::string& method : method_names()) {

@@ -1,4 +1,5 @@
-// A request as the daemon reads it, up to the problem to be solved: it is read, or refused with a status in words.
+// Fuzzes a request as the daemon reads it, up to the problem to be solved: it is read, or refused with a status and a
+// message.
 #include "contactd/contact.hpp"
 #include "contactd/error.hpp"
 #include "contactd/fields/conicity.hpp"

@@ -22,7 +22,7 @@ METHODS = sorted(path.name.removesuffix(".params.json") for path in (ROOT / "pro
 
 
 def words_of(schema: Any) -> Iterator[str]:
-    """Names of fields and values of enumerations, anywhere in a schema."""
+    """Yields names of fields and values of enumerations, anywhere in a schema."""
     if isinstance(schema, dict):
         yield from schema.get("properties", {}) if isinstance(schema.get("properties"), dict) else ()
         yield from (value for value in schema.get("enum", []) if isinstance(value, str))
@@ -44,12 +44,12 @@ def dictionary() -> str:
 
 
 def message(envelope: Any, *frames: bytes) -> bytes:
-    """As tests/fuzz/input.hpp reads it."""
+    """Encodes a message as tests/fuzz/input.hpp reads it."""
     return json.dumps(envelope).encode() + b"\0" + b"".join(struct.pack("<H", len(f)) + f for f in frames)
 
 
 def documented(method: str) -> Any:
-    """The request that docs/protocol.md shows for the method, or no parameters."""
+    """Returns the request that docs/protocol.md shows for the method, or no parameters."""
     text = (ROOT / "docs/protocol.md").read_text()
     section = text.partition(f"### `{method}`")[2].partition("\n### ")[0]
     block = re.search(r"(?:^ {4}.*\n)+", section, re.MULTILINE)
@@ -61,7 +61,7 @@ def array(frame: int, *shape: int) -> Any:
 
 
 def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
-    """Parameters of contact.solve that use every field, with their frames."""
+    """Returns parameters of contact.solve that use every field, with their frames."""
     base = {"grid": {"nx": 3, "ny": 2, "dx": 0.06, "dy": 0.06, "x0": -1, "y0": 0}}
     bodies = {"upper": {"G": 200, "nu": 0.42}, "lower": {"rigid": True}}
     ones = np.ones((2, 3)).tobytes()
@@ -153,7 +153,8 @@ def requests() -> Iterator[bytes]:
 
 
 def sessions() -> Iterator[bytes]:
-    """What opens sessions, which is what contact.solve takes, less what steps must say then; and steps of every kind."""
+    """Returns openings of sessions, with the parameters of contact.solve without those that steps must state, and
+    steps of every kind."""
     for params, frames in solves():
         opening = {name: value for name, value in params.items() if name != "initial"}
         yield message({"contactd": 1, "id": "7f", "method": "session.open", "params": {**opening, "lease_seconds": 60}}, *frames)
@@ -239,7 +240,7 @@ def configurations() -> Iterator[bytes]:
 
 
 def ic_files() -> Iterator[bytes]:
-    """The header of a file that is lost behind it; h5py makes an HDF5 file that is none of ours."""
+    """Returns a header without the rest of its file; h5py makes an HDF5 file that is not from contactd."""
     header = b"contactd ic table, format 1, sha256 of the bytes after this block: " + b"0" * 64 + b"\n"
     yield header.ljust(512, b"\0") + b"\x89HDF\r\n\x1a\n"
     with h5py.File("strange", "w", driver="core", backing_store=False, userblock_size=512) as file:
@@ -249,10 +250,10 @@ def ic_files() -> Iterator[bytes]:
 
 
 def profile_files() -> Iterator[bytes]:
-    """A format's number, as profile_file.cpp reads it, and a rough wheel or rail in this format."""
+    """Returns a format's number, as profile_file.cpp reads it, and a rough wheel or rail in this format."""
     wheel = [(-68, 20), (-55, 28), (-41, 19), (-38, 11), (-30, 4), (-20, 1.6), (-10, 0.5), (0, 0), (20, -0.3), (40, -1.3), (60, -2.6)]
     rail = [(y, 0.006 * y * y + 1e-7 * y**4) for y in range(-36, 37, 4)]
-    for number in (*range(15), 35, 73, 91, 137, 219):  # from five on smoothed, from ten on with more said beside them
+    for number in (*range(15), 35, 73, 91, 137, 219):  # smoothed from five on, with additional options from ten on
         is_wheel = number % 5 in (0, 2)
         upwards = number % 5 in (2, 3)
         points = "".join(f"{y} {-z if upwards else z}\n" for y, z in (wheel if is_wheel else rail))
@@ -267,7 +268,7 @@ def profile_files() -> Iterator[bytes]:
 
 
 def contact_files() -> Iterator[bytes]:
-    """Input files of the CONTACT program with groups of every kind, and a list of slices behind an L."""
+    """Returns input files of the CONTACT program with groups of every kind, and a list of slices after an L."""
     bounds, load, elastic = "999 20 25 1 1e-5\n", "1. .1 0 0\n", ".28 .28 1. 1.\n"
     for digits, friction, more in [
         ("200100\n022020\n000001", ".3 .3\n", ""),
@@ -291,7 +292,7 @@ def contact_files() -> Iterator[bytes]:
 
 
 def ic_contents() -> Iterator[bytes]:
-    """Edits, as ic_content.cpp reads them: none, of an attribute, of a dataset."""
+    """Returns edits, as ic_content.cpp reads them: none, of an attribute, of a dataset."""
     for family in (0, 1):
         yield bytes([family])
         yield bytes([family, 1, 1, 2, 1, 0, 0, *struct.pack(">d", 0.25)])
@@ -300,7 +301,8 @@ def ic_contents() -> Iterator[bytes]:
 
 
 def ic_imports() -> Iterator[bytes]:
-    """The one coefficient under an element of a half-space, in closed form; a family of it; a longitudinally uniform body of one strip."""
+    """Returns the one coefficient under an element of a half-space, in closed form; a family of it; a longitudinally
+    uniform body of one strip."""
     errors = {f"evidence/error_{c}_{place}": 1e-3 for c in ("xx", "yy", "zz") for place in ("origin", "largest")}
     numbers = dict.fromkeys(("elements", "dofs", "processes", "errors_estimated"), 0)
     numbers |= {f"{stage}_seconds": 1.0 for stage in ("assembly", "setup", "solve", "total")}
@@ -332,7 +334,7 @@ def ic_imports() -> Iterator[bytes]:
 
 
 def outlines() -> Iterator[bytes]:
-    """Sections of every shape; outlines of lines, arcs, splines and holes that carry the strips themselves, or do not."""
+    """Returns sections of every shape; outlines of lines, arcs, splines and holes, with or without strips on them."""
 
     def point(y: float, z: float) -> Any:
         return {"y": y, "z": z}

@@ -1,4 +1,5 @@
-// Requests that open a session or step it, up to the problem to be solved: read, or refused with a status in words.
+// Fuzzes requests that open a session or step it, up to the problem to be solved: they are read, or refused with a
+// status and a message.
 #include "contactd/proto/session.hpp"
 
 #include "contactd/error.hpp"
@@ -48,7 +49,7 @@ void check_wheel_step(const Request& request) {
     fuzz::require(decode_wheel_rail_step(again).patches == input.patches, "what is left out of the answer is, too");
 }
 
-/// A step is laid over sessions that differ in what it may leave out.
+/// A step is applied to sessions that differ in the fields that it may omit.
 std::vector<ContactProblem> sessions() {
     ContactProblem shift;
     shift.grid = Grid::of_elements(3, 2, 0.1, 0.1);

@@ -1,4 +1,4 @@
-"""Parts of a build can be left out by CMake's options: the rest configures, builds, and is installed."""
+"""Tests parts of a build that CMake's options exclude: the rest configures, builds, and is installed."""
 
 from __future__ import annotations
 
@@ -38,14 +38,14 @@ def run(*command: str | Path) -> str:
 
 
 def of_the_build(name: str) -> list[str]:
-    """An entry of the cache that the programs under test were configured with, as an option."""
+    """Returns an entry of the cache of the programs under test, as an option."""
     cache = BIN.parent / "CMakeCache.txt"
     found = re.search(rf"^{name}:\w+=(.+)$", cache.read_text(), re.MULTILINE) if cache.exists() else None
     return [f"-D{name}={found[1]}"] if found else []
 
 
 def configured(build: Path, options: Sequence[str]) -> set[str]:
-    """The targets that there are."""
+    """Returns the existing targets."""
     run("cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCONTACTD_UNITY=ON", *of_the_build("CONTACTD_DUCC0"), *options)
     return set(re.findall(r"^(\S+): ", run("ninja", "-C", build, "-t", "targets", "all"), re.MULTILINE))
 
@@ -68,10 +68,10 @@ def test_what_is_left_out_is_gone_and_the_rest_configures(tmp_path, left_out, th
     assert not gone & targets
 
 
-@pytest.mark.long  # compiles core once more; ./dev package --test runs it, too
+@pytest.mark.long  # compiles core again; ./dev package --test runs it, too
 @pytest.mark.timeout(1800)
 def test_the_library_in_process_is_built_and_used_without_zeromq(tmp_path):
-    build = BIN.parents[1] / "without-remote"  # beside the others, where the cache of ./dev knows its sources
+    build = BIN.parents[1] / "without-remote"  # beside the others, where the cache of ./dev contains its sources
     launcher = []
     if shutil.which("ccache"):
         launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"]

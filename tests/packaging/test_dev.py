@@ -1,4 +1,5 @@
-"""./dev outside of Debian 13: what it asks for, and what its root sees. The programs it calls are stand-ins."""
+"""Tests ./dev outside of Debian 13: its questions, and the contents of its root. The programs it calls are
+replaced."""
 
 from __future__ import annotations
 
@@ -12,7 +13,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-#: What ./dev itself runs, from the system.
+#: Programs of the system that ./dev itself runs.
 ORDINARY = (
     "awk", "bash", "cat", "cut", "dirname", "env", "flock", "grep", "mkdir", "mktemp", "mv", "paste", "readlink", "rm", "sed",
     "sha256sum", "sort", "tail", "tar", "touch",
@@ -27,7 +28,7 @@ STANDINS = {
 
 
 class Machine:
-    """One on which a user calls ./dev for the first time."""
+    """Provides a machine on which a user calls ./dev for the first time."""
 
     def __init__(self, folder: Path) -> None:
         self.programs, self.home, self.work = folder / "bin", folder / "home", folder / "work"
@@ -59,19 +60,19 @@ class Machine:
         )  # fmt: skip
 
     def entered(self, *arguments: str, folder: Path | None = None) -> list[str]:
-        """What bwrap was called with; there is a range of ids, and a root is made."""
+        """Returns the arguments of bwrap; there is a range of ids, and a root is made."""
         self.has("id", "echo 0")
         ended = self.dev(*arguments, folder=folder)
         assert ended.returncode == 0, ended.stderr
         return self.binds.read_text().splitlines()
 
     def roots(self) -> list[set[str]]:
-        """The packages of each root that was made."""
+        """Returns the packages of each root that was made."""
         words = self.made.read_text().splitlines() if self.made.exists() else []
         return [set(word.removeprefix("--include=").split(",")) for word in words if word.startswith("--include=")]
 
     def built(self, *arguments: str) -> list[str]:
-        """What CMake is called with, a line a call, for the command in a checkout of this script alone."""
+        """Returns the arguments of CMake, one line per call, for the command in a checkout of this script alone."""
         checkout = self.work / "checkout"
         if not checkout.exists():
             shutil.copytree(ROOT / "packaging", checkout / "packaging")
@@ -91,7 +92,7 @@ def machine(tmp_path: Path) -> Machine:
 
 
 def bound(words: list[str]) -> list[str]:
-    """Folders that are bound at their own place."""
+    """Returns folders that are bound at their own path."""
     pairs = [(words[i + 1], words[i + 2]) for i, word in enumerate(words) if word == "--bind"]
     return [source for source, place in pairs if source == place]
 
@@ -226,7 +227,7 @@ def test_the_daemons_default_store_lies_where_it_is_documented(machine):
 
 
 def test_a_command_runs_in_the_folder_that_dev_was_called_from(machine):
-    """As in the root, where this script is called again."""
+    """Acts as in the root, where this script is called again."""
     (machine.work / "notes.txt").write_text("mine\n")
     machine.environment |= {"CONTACTD_INSIDE": "1", "CONTACTD_CALLED_FROM": str(machine.work)}
     assert machine.dev("shell", "cat", "notes.txt", folder=ROOT).stdout == "mine\n"
@@ -258,14 +259,14 @@ def test_the_readme_names_the_clients_that_there_are():
     assert not re.search(r"client \(.*shell\)", (ROOT / "docs" / "architecture.md").read_text())
 
 
-#: Words behind these name a part that has a line of its own; behind other commands options do.
+#: After these commands, a word names a part with a separate line; after others an option does.
 OF_PARTS = {"demo", "load", "paper", "sanitize"}
-#: Options that choose less, or say more, of the same command.
+#: Options that select less, or print more, of the same command.
 OF_DETAIL = {"--all", "--bin", "--cases", "--fresh", "--help", "--key", "--last", "--long", "--only", "--preset"}
 
 
 def named_commands(text: str) -> set[tuple[str, ...]]:
-    """Each command of ./dev in the text, with the part or the option behind it that makes it another one."""
+    """Returns each command of ./dev in the text, with its part or the option that makes it a different one."""
     found = set()
     for line in re.findall(r"(?m)(?:^ +|`|& )\./dev ((?:[a-z0-9]+)(?: (?:--)?[a-z]+)*)", text):
         first, *rest = line.split()
@@ -276,7 +277,7 @@ def named_commands(text: str) -> set[tuple[str, ...]]:
 
 @pytest.fixture
 def release(machine):
-    """A checkout with commands to run before a release, whose root notes each command that it is asked for."""
+    """Provides a checkout with commands to run before a release, whose root records each requested command."""
     checkout, log = machine.work / "checkout", machine.work / "commands.log"
     (checkout / "tests").mkdir(parents=True)
     (checkout / "configs").mkdir()
@@ -289,7 +290,8 @@ def release(machine):
         (machine.programs / name).symlink_to(shutil.which(name))
 
     def run(**ends: str) -> tuple[int, str, list[str]]:
-        """How it ends, its last line and the commands that ran; ends: scripts of commands, by their first word."""
+        """Returns its exit status, its last line and the commands that ran; `ends` maps first words of commands to
+        scripts."""
         cases = "".join(f"{word}) {script} ;;\n" for word, script in ends.items())
         machine.has("bwrap", f"""while [ "$1" != -- ]; do shift; done; shift 2\necho "$@" >>{log}\ncase $1 in {cases}esac""")
         ended = subprocess.run(
@@ -302,7 +304,7 @@ def release(machine):
 
 
 SERVES = "echo ready >served; exec sleep 30"
-ASKED = "[ -e served ]"  # the daemon answers once it is there
+ASKED = "[ -e served ]"  # the daemon answers once it listens
 
 
 def test_what_comes_before_a_release_runs_each_listed_command_once(release):

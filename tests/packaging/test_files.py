@@ -1,4 +1,5 @@
-"""The files of packaging/ name things that exist and agree with each other; `./dev package --test` installs them."""
+"""Tests that the files of packaging/ name existing things and agree with each other; `./dev package --test` installs
+them."""
 
 from __future__ import annotations
 
@@ -17,14 +18,14 @@ SCRIPTS = sorted([*PACKAGING.glob("*.sh"), *PACKAGING.glob("debian/*inst"), *PAC
 
 
 def instructions() -> list[tuple[str, str]]:
-    """Of the Dockerfile: instruction and arguments, continued lines joined."""
+    """Returns instructions and arguments of the Dockerfile, with continued lines joined."""
     text = re.sub(r"\\\n\s*", " ", (PACKAGING / "Dockerfile").read_text())
     lines = [line for line in text.splitlines() if line and not line.startswith("#")]
     return [(line.split(" ", 1)[0], line.split(" ", 1)[1]) for line in lines]
 
 
 def helped(program: str) -> set[str]:
-    """The long options that --help shows."""
+    """Returns the long options that --help shows."""
     shown = subprocess.run([BIN / program, "--help"], capture_output=True, text=True, timeout=30, check=True).stdout
     return set(re.findall(r"--[a-z][a-z-]+", shown))
 

@@ -1,4 +1,4 @@
-"""What solves in process, and the daemon, have nothing inside and need nothing that is under the GPL."""
+"""Tests that the in-process solver and the daemon contain and need nothing under the GPL."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
-"""Recipes for conda-forge and Spack name options, targets, components, versions and packages that there are. Neither program is here:
-of conda's the text is read as its format has it, of Spack's the class is run with what it would be given."""
+"""Tests that recipes for conda-forge and Spack name existing options, targets, components, versions and packages.
+Neither program is available here: conda's recipe is read as text, and Spack's class is run with replacements."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ def test_the_script_of_conda_builds_and_installs_what_there_is(recipe):
 
 
 class Spec:
-    """What Spack asks for, as far as the recipe looks."""
+    """Replaces the parts of Spack that the recipe uses."""
 
     def __init__(self, *variants: str) -> None:
         self.variants = variants
@@ -75,7 +75,7 @@ class Spec:
 
 
 def spack() -> tuple[type, list[tuple[str, tuple[Any, ...], dict[str, Any]]]]:
-    """The class of the recipe, and the directives that it calls."""
+    """Returns the class of the recipe, and the directives that it calls."""
     called: list[tuple[str, tuple[Any, ...], dict[str, Any]]] = []
     module = types.ModuleType("spack.package")
     for name in ("license", "version", "variant", "depends_on", "extends", "generator"):

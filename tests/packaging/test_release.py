@@ -1,4 +1,4 @@
-"""What is released is complete, signed and the same each time."""
+"""Tests that releases are complete, signed and reproducible."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def test_the_version_is_the_same_in_all_places():
 
 @pytest.fixture
 def signed(tmp_path):
-    """A folder of two files with their sums, signed, and the file of signers."""
+    """Creates a folder of two files with their sums, signed, and the file of signers."""
     folder = tmp_path / "release"
     folder.mkdir()
     for name in ("a.whl", "b.deb"):

@@ -1,4 +1,4 @@
-"""What ./dev test NAME... chooses, builds and runs."""
+"""Tests which tests ./dev test NAME... selects, builds and runs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How the binary wheels are put together; `./dev wheel --test` installs and uses them."""
+"""Tests the assembly of the binary wheels; `./dev wheel --test` installs and uses them."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ MODULE = next((BIN.parent / "lib" / "python").glob("contactd_local*.so"))
 
 
 def opened(wheel):
-    """What is in it, without the name of the folder of its metadata, and the modes of the files."""
+    """Returns its contents, without the name of the metadata folder, and the modes of the files."""
     with zipfile.ZipFile(wheel) as archive:
         content = {re.sub(r"^[^/]*\.dist-info/", "", name): archive.read(name) for name in archive.namelist()}
         modes = {entry.filename: entry.external_attr >> 16 & 0o777 for entry in archive.infolist()}
@@ -39,7 +39,7 @@ def opened(wheel):
 
 @pytest.fixture
 def programs(tmp_path):
-    """A wheel of programs that are not there, in a folder."""
+    """Creates a wheel of fake programs, in a folder."""
     with copied(WHEELS / "daemon") as project:
         say(project, "1.2", ["hdf5 1.14"], {"libstdc++6.txt": "as you like\n"})
         for place, mode in (("__init__.py", 0o644), ("bin/contactd", 0o755), ("lib/libc.so.6", 0o644), ("programs/contactd", 0o755)):

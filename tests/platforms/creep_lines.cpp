@@ -1,4 +1,4 @@
-// The drop-in's table of creepages, 3220 lines to the last digit, which another platform's are compared with.
+// Prints the drop-in's table of creepages, 3220 lines with all digits, to compare platforms.
 #include <cstdio>
 
 #include "client/cntc/creep_table.hpp"

@@ -1,4 +1,4 @@
-// An importer of FMUs: loads the binary of one, and steps an instance of it.
+// Imports FMUs: loads the binary of one, and steps an instance of it.
 //
 //     fmu-host LIBRARY VERSION GUID STEPS SIZE [REFERENCE=NUMBER ...] -- [REFERENCE ...]
 //
@@ -27,7 +27,7 @@
 namespace {
 
 #ifdef _WIN32
-/// In UTF-8, as on other systems; Windows gives programs what their code page has of it.
+/// Converts arguments to UTF-8, as on other systems; on Windows they are in the code page.
 std::vector<std::string> arguments_of(int, char**) {
     int count = 0;
     wchar_t** given = CommandLineToArgvW(GetCommandLineW(), &count);

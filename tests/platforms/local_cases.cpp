@@ -1,9 +1,9 @@
-// Contacts and wheels that are solved in process, in lines of numbers that another platform's are compared with:
+// Solves contacts and wheels in process, and prints lines of numbers to compare platforms:
 //
-//     local-cases          what needs no store
-//     local-cases store    a table by finite elements, which the store of CONTACTD_STORE must have
+//     local-cases prints everything that needs no store. local-cases store uses a table by finite elements, which the
+//     store of CONTACTD_STORE must contain.
 //
-// A line is a name, and its numbers to the last digit. Lines that begin with "text" are sentences.
+// A line is a name, and its numbers with all digits. Lines that begin with "text" are sentences.
 #include <contactd.h>
 
 #include <cstdio>
@@ -28,7 +28,7 @@ void check(std::int32_t code, const std::string& what, const void* handle) {
     if (code != CONTACTD_OK) fail(what, handle);
 }
 
-/// A contact that steps have been taken of.
+/// Holds a contact after some steps.
 class Contact {
    public:
     Contact(contactd_connection* connection, const Inputs& inputs, const std::string& model = "") {
@@ -97,7 +97,7 @@ Inputs grid(int n) {
     return {{"grid.nx", n}, {"grid.ny", n}, {"grid.dx", 16.0 / n}, {"grid.dy", 12.0 / n}};
 }
 
-/// Steady rolling over many creepages, spins and loads, on grids of several sizes.
+/// Solves steady rolling over many creepages, spins and loads, on grids of several sizes.
 void steady(contactd_connection* connection) {
     for (const int n : {11, 20, 25}) {
         Contact contact(connection, with(with(with(steel, ball), grid(n)), {{"Fn", 80e3}, {"friction.mu", 0.3}}));
@@ -190,7 +190,7 @@ void wheels(contactd_connection* connection) {
     }
 }
 
-/// Four threads at once, each with a contact of its own, must have the bits of one alone.
+/// Four simultaneous threads, each with its own contact, must have the same bits as a single one.
 void threads(contactd_connection* connection) {
     const auto solve = [connection](std::vector<double>& numbers) {
         Contact contact(connection, with(with(with(steel, ball), grid(20)), {{"Fn", 6e4}, {"friction.mu", 0.3}}));
@@ -217,7 +217,7 @@ void refusals(contactd_connection* connection) {
     std::printf(" %s\n", contactd_last_field(contact.handle()));
 }
 
-/// A contact whose coefficients are finite elements': 10 x 10 offsets of a paper's block, from the store.
+/// Solves a contact with coefficients by finite elements: 10 x 10 offsets of a paper's block, from the store.
 void from_store(contactd_connection* connection) {
     Contact contact(connection, with(steel, {{"grid.nx", 8}, {"grid.ny", 8}, {"grid.dx", 0.8}, {"grid.dy", 0.8}}));
     contact.set({{"gap.paraboloid.Rx", 50}, {"gap.paraboloid.Ry", 50}, {"approach", 0.05}});

@@ -1,10 +1,11 @@
-"""Runs the programs of tests/platforms, and compares what they print: platform_cases.py run PROGRAMS FMUS LIBRARY FOLDER
+"""Runs the programs of tests/platforms, and compares their output: platform_cases.py run PROGRAMS FMUS LIBRARY FOLDER
 [RUNNER], platform_cases.py python CASES FOLDER COMMAND..., or platform_cases.py compare FOLDER OTHER.
 
-PROGRAMS is the folder of local-cases, creep-lines and fmu-host, FMUS that of the archives, LIBRARY the binary of FMUs that they
-are tried with. Lines come into FOLDER, a file for each program. RUNNER runs programs of another platform: wine64, or qemu-aarch64.
-COMMAND is a Python that has contactd and contactd_local, with what runs it, which gets cases from the folder CASES.
-./dev windows --test and ./dev arm64 --test do all of it, with the lines of this machine to compare with.
+PROGRAMS is the folder of local-cases, creep-lines and fmu-host, FMUS the folder of the archives, and LIBRARY the
+binary of the tested FMUs. FOLDER receives a file with the lines of each program. RUNNER runs programs of another
+platform: wine64, or qemu-aarch64. COMMAND starts a Python with contactd and contactd_local, which reads cases from the
+folder CASES. ./dev windows --test and ./dev arm64 --test do all of this, with the lines of this machine for
+comparison.
 """
 
 from __future__ import annotations
@@ -22,15 +23,15 @@ import zipfile
 from collections.abc import Iterator
 from pathlib import Path
 
-#: Folders that Windows has in plenty.
+#: Folders that always exist on Windows.
 STORE, BINARIES = "Tafeln für Räder", "FMU für Räder"
-#: What the drivers of tests/congruence are told, and where their answers come.
+#: Arguments of the drivers of tests/congruence, and the files of their answers.
 CONGRUENCE = {"congruence-c-local": "contacts.txt", "congruence-wheel-c-local": "wheels.txt"}
-#: The same in the process of Python, where the cases of its own driver are.
+#: The same in the process of Python, with the cases of its own driver.
 IN_PYTHON = {"python contacts.txt": "contacts", "python wheels.txt": "wheels"}
-#: From here on a whole number of theirs is a digest, which differs where a last bit does.
+#: From here on a whole number of theirs is a digest, which changes with any last bit.
 DIGESTS = 100_000
-#: A radius of more millimetres than these is that of a flat place, the inverse of a rounding error.
+#: A radius above this limit (mm) belongs to a flat place, the inverse of a rounding error.
 FLAT = 1e8
 #: The largest relative difference of a number from the largest of its line; heights under a force are searched for.
 BOUND, BOUND_OF_SEARCHES = 1e-9, 1e-8
@@ -55,7 +56,7 @@ INPUTS = {
 
 
 def variables_of(archive: Path) -> tuple[str, dict[str, tuple[str, str, str]]]:
-    """The GUID, and of each variable reference, causality and type."""
+    """Returns the GUID, and reference, causality and type of each variable."""
     with zipfile.ZipFile(archive) as opened:
         root = xml.etree.ElementTree.fromstring(opened.read("modelDescription.xml"))
     listed = root.find("ModelVariables")
@@ -142,7 +143,7 @@ def cases_of(folder: Path, name: str) -> Path:
 
 
 def write_congruence(folder: Path) -> None:
-    """The cases that all interfaces answer alike, in the words of those by path."""
+    """Returns the cases of all interfaces, in the words of those by path."""
     sys.path.insert(0, str(Path(__file__).parents[1]))
     from congruence.cases import write as write_words
     from congruence.paths import write_paths
@@ -155,7 +156,7 @@ def write_congruence(folder: Path) -> None:
 
 
 def windows_path(path: Path) -> str:
-    """As Wine has the files of the machine."""
+    """Returns the path of a file of the machine in Wine."""
     return "Z:" + str(path).replace("/", "\\")
 
 
@@ -171,7 +172,7 @@ def compare(options: argparse.Namespace) -> None:
             wrong.append(f"{len(here)} lines and {len(there)}")
         for one, other in zip(here, there):
             if one.startswith("text"):
-                # This machine builds the table that the other one finds.
+                # This machine builds the table that the other one reads.
                 wrong += [] if one.replace("built", "disk") == other else [f"{one!r} is {other!r}"]
                 continue
             kind = "searches" if "wheel" in one or "wheel" in name else "numbers"
@@ -217,7 +218,7 @@ def numbers_of(line: str, of_congruence: bool) -> Iterator[float]:
 
 
 def words_of(line: str) -> list[str]:
-    """What is no number: the name, what was refused and why, and what there is not."""
+    """Returns lines without numbers: names, refusals with reasons, and missing things."""
     first, *others = line.split() or [""]
     return [first, *(word for word in others if not is_number(word) and not re.fullmatch("[0-9A-F]{16}", word))]
 

@@ -1,6 +1,6 @@
-"""Prints what the cases of tests/congruence come to in the process of Python: python_lines.py contacts|wheels CASES.
+"""Prints results of the cases of tests/congruence in the process of Python: python_lines.py contacts|wheels CASES.
 
-The numbers are those of platform_cases.py's programs, to the last bit. It needs tests/ and contactd on Python's path.
+The numbers are those of platform_cases.py's programs, with all digits. It needs tests/ and contactd on Python's path.
 """
 
 from __future__ import annotations

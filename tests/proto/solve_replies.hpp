@@ -1,4 +1,4 @@
-// A reply to contact.solve as a solver might have made it, on a grid of 3 x 2.
+// Creates a reply to contact.solve like a solver, on a grid of 3 x 2.
 #pragma once
 
 #include "contactd/proto/codec.hpp"

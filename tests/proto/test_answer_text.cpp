@@ -1,4 +1,4 @@
-// A client's reader of answers beside nlohmann's: both read the same documents, and to the same values.
+// Compares a client's reader of answers with nlohmann's: both read the same documents and values.
 #include <catch2/catch_test_macros.hpp>
 
 #include <bit>

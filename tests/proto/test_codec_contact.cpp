@@ -41,7 +41,7 @@ json sent(const json& message) {
     return json::parse(dump(message));
 }
 
-/// The problem that arrives, sent with its arrays as frames.
+/// Returns the received problem, sent with its arrays as frames.
 ContactProblem arrived(const ContactProblem& original) {
     ArrayWriter arrays(ArrayEncoding::frame);
     const json params = sent(encode_problem(original, arrays));

@@ -1,4 +1,4 @@
-// ic.export, and contact.solve with coefficients of its own.
+// Tests ic.export, and contact.solve with provided coefficients.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -15,7 +15,7 @@ using nlohmann::json;
 
 namespace {
 
-/// Values that an elastic pair may have, larger at (0, 0) than anywhere else.
+/// Returns values that an elastic pair may have, largest at (0, 0).
 GivenIcs given(int nx = 3, int ny = 2) {
     GivenIcs ics{IcTable(nx, ny), 0.06, 0.06};
     for (std::size_t n = 0; n < ics.table.values.size(); ++n) ics.table.values[n] = 1e-3 / (1 + static_cast<double>(n));
@@ -48,7 +48,7 @@ json ics_params() {
     return {{"source", "table"}, {"table", list_of(given())}, {"dx", 0.06}, {"dy", 0.06}};
 }
 
-/// Field and problem of what a request is refused for, by its schema, its codec or its values.
+/// Returns field and problem of a refusal by the schema, the codec or the values.
 std::string refusal_of(const json& params, const Frames& frames = {}) {
     try {
         check_params("contact.solve", params);

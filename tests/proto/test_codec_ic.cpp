@@ -41,7 +41,7 @@ IcSpec fem_spec() {
     return spec;
 }
 
-/// The spec that `ics` asks for. Its schema must take it.
+/// Returns the spec requested by `ics`, which its schema must accept.
 IcSpec asked_by(const json& ics) {
     json params = wire::ic_params();
     params["ics"] = ics;
@@ -98,7 +98,7 @@ void check_equal(const IcEvidence& a, const IcEvidence& b) {
     CHECK(a.modelling_error == b.modelling_error);
 }
 
-/// The message as it arrives, through text.
+/// Returns the message as received, through text.
 json sent(const json& message) {
     return json::parse(dump(message));
 }

@@ -42,7 +42,7 @@ SessionSpec arrived(const SessionSpec& original) {
     return decode_session_spec(params, frames);
 }
 
-/// The problem of `opened` after a step with `input`.
+/// Returns the problem of `opened` after a step with `input`.
 ContactProblem stepped(const SessionSpec& opened, const json& input, const std::optional<Motion>& last = {}) {
     json params = input;
     params["session"] = "s";
@@ -181,7 +181,7 @@ TEST_CASE("A step of the client arrives whole: nothing that session.open said st
     CHECK(problem.approach == 0.5);
     CHECK(problem.gap == Gap(Paraboloid{2, 3}));
     CHECK(problem.friction->mu == std::vector<double>{0.9});
-    rolling.dq = 0.05;  // 0 stands for the one of the session
+    rolling.dq = 0.05;  // 0 selects the value of the session
     CHECK(rolling_of(problem) == rolling);
     CHECK(problem.rigid_slip == input.rigid_slip);
     CHECK(decode_fields(params, {}) == input.fields);

@@ -1,4 +1,4 @@
-// contact.temperature, and what contact.solve has of temperatures.
+// Tests contact.temperature, and temperatures in contact.solve.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 

@@ -1,4 +1,4 @@
-// wheelrail.solve and wheelrail.geometry.
+// Tests wheelrail.solve and wheelrail.geometry.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_string.hpp>
@@ -27,7 +27,7 @@ json sent(const json& message) {
     return json::parse(dump(message));
 }
 
-/// No field as its default.
+/// Sets every field to a value other than its default.
 WheelRailSetup unusual_setup() {
     WheelRailSetup setup;
     setup.side = Side::left;

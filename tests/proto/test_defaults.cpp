@@ -1,4 +1,4 @@
-// Defaults that the schemas declare, which users read, are those of the values of C++.
+// Tests that the defaults documented in the schemas are those of the C++ values.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 
@@ -19,7 +19,7 @@ using nlohmann::json;
 
 namespace {
 
-/// `value` with everything said that its schema has a default for.
+/// Returns `value` with all defaults of its schema stated.
 json filled(const json& schema, json value) {
     if (value.is_array() && schema.contains("items"))
         for (json& item : value) item = filled(schema["items"], item);
@@ -34,7 +34,7 @@ json filled(const json& schema, json value) {
 json filled_params(const std::string& method, const json& params) {
     json all = filled(schema(method + ".params"), params);
     CHECK(all != params);
-    // Fields that go with points mean nothing to a formula.
+    // Fields for points have no meaning for a formula.
     for (const char* body : {"wheel", "rail"})
         if (all.contains("setup") && all["setup"].contains(body) && !all["setup"][body].contains("points"))
             for (const char* name : {"unit", "mirror_y", "mirror_z", "smoothing_length"})

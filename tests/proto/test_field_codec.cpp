@@ -1,4 +1,4 @@
-// Properties of every field of a struct that the schemas declare, whichever fields these are.
+// Tests properties of every field of a struct that the schemas declare.
 #include <catch2/catch_template_test_macros.hpp>
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>

@@ -10,7 +10,7 @@ using namespace contactd::proto;
 
 namespace {
 
-// A message as that of a socket.
+// Creates a message like that of a socket.
 struct Message {
     std::vector<char> bytes;
     std::string_view to_string_view() const { return {bytes.data(), bytes.size()}; }

@@ -1,4 +1,4 @@
-// Random damage to good requests: each is either read or refused with a status, never anything else.
+// Tests that randomly damaged requests are either read or refused with a status.
 #include <catch2/catch_test_macros.hpp>
 
 #include <random>

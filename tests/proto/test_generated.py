@@ -1,4 +1,4 @@
-"""What is generated from proto/schema is what stands in the tree."""
+"""Tests that the files generated from proto/schema are up to date."""
 
 from __future__ import annotations
 

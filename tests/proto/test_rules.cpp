@@ -1,4 +1,5 @@
-// Rules made of schemas beside valijson, which reads the same schemas: both take and refuse the same documents.
+// Compares rules made of schemas with valijson, which reads the same schemas: both accept and refuse the same
+// documents.
 #include <catch2/catch_test_macros.hpp>
 
 #include <functional>
@@ -41,7 +42,7 @@ std::size_t below(Generator& generator, std::size_t n) {
     return std::uniform_int_distribution<std::size_t>(0, n - 1)(generator);
 }
 
-/// All values of a document, by their places.
+/// Returns all values of a document, by their places.
 std::vector<json::json_pointer> places_of(const json& document, const json::json_pointer& at) {
     std::vector<json::json_pointer> places{at};
     const auto add = [&](const json& child, const json::json_pointer& place) {
@@ -108,7 +109,7 @@ json damaged(json document, Generator& generator) {
     return document;
 }
 
-/// Checks that the rules and the reference give one verdict on a document, read either way.
+/// Checks that the rules and the reference agree on a document, read in either way.
 void compare(const Rules& rules, const Reference& reference, const json& document) {
     const std::string text = dump(document);
     CAPTURE(text);

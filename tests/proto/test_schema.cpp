@@ -56,7 +56,7 @@ TEST_CASE("Schemas stand alone and describe every field", "[schema]") {
         if (!node.contains("properties")) return;
         for (const auto& property : node["properties"].items()) {
             CHECK(property.value().contains("description"));
-            // A title says in words what a pattern says to a program.
+            // A title describes in words a pattern for programs.
             CHECK(property.value().contains("pattern") <= property.value().contains("title"));
             visit(property.value(), path + "." + property.key());
         }

@@ -1,4 +1,4 @@
-"""The files of proto/schema are JSON Schemas that other tools can use as they lie there."""
+"""Tests that the files of proto/schema are JSON Schemas that other tools can use unchanged."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def is_valid(name: str, document: object) -> bool:
 
 
 def example_of(method: str) -> Any:
-    """The first request that the schema of the method shows."""
+    """Returns the first example request in the schema of the method."""
     return copy.deepcopy(DOCUMENTS[f"{method}.params.json"]["examples"][0])
 
 
@@ -45,7 +45,7 @@ def test_every_method_says_what_it_does_and_how_it_may_fail() -> None:
 
 
 def examples() -> Iterator[tuple[str, object]]:
-    """What each schema, and each part of definitions.json, shows of itself."""
+    """Yields the examples of each schema, and of each part of definitions.json."""
     for name, document in DOCUMENTS.items():
         if name == "definitions.json":
             for part, schema in document["definitions"].items():

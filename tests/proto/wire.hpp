@@ -1,4 +1,4 @@
-// Requests as a client sends them, and what came of a bad one.
+// Sends requests like clients, and returns the errors of bad ones.
 #pragma once
 
 #include <functional>
@@ -49,7 +49,7 @@ inline nlohmann::json temperature_params() {
         "slip_y": [[0, 0, 0], [0, 0, 0]]})");
 }
 
-/// The status that `act` throws, or nothing.
+/// Returns the status that `act` throws, or nothing.
 inline std::optional<contactd::proto::Status> status_thrown_by(const std::function<void()>& act) {
     try {
         act();

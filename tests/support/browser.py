@@ -19,7 +19,7 @@ _OPTIONS = ("--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-us
 
 
 class Browser:
-    """One page, and the errors in it (`problems`)."""
+    """Represents one page, and the errors in it (`problems`)."""
 
     def __init__(self, folder: Path) -> None:
         """Starts the browser with its profile in `folder`."""

@@ -1,5 +1,5 @@
-// Closed-form solutions for comparison: Hertz (Johnson, Contact Mechanics, section 4.2), Cattaneo (section 7.2),
-// Mindlin and Deresiewicz (7.4), Carter (8.3), and Kalker's linear theory of rolling.
+// Provides closed-form solutions for comparison: Hertz (Johnson, Contact Mechanics, section 4.2), Cattaneo (section
+// 7.2), Mindlin and Deresiewicz (7.4), Carter (8.3), and Kalker's linear theory of rolling.
 #pragma once
 
 #include "contactd/gap.hpp"
@@ -7,7 +7,7 @@
 
 namespace contactd::reference {
 
-/// A sphere on a plane (or two spheres of combined radius R) with a prescribed approach.
+/// Describes a sphere on a plane (or two spheres of combined radius R) with a prescribed approach.
 struct Hertz {
     double radius;  ///< of the contact circle, sqrt(R delta) (mm)
     double Fn;      ///< (N)
@@ -15,7 +15,7 @@ struct Hertz {
 };
 Hertz hertz(const MaterialPair& bodies, double R, double approach);
 
-/// A Hertzian contact shifted by Fx < mu Fn without lateral effects.
+/// Describes a Hertzian contact shifted by Fx < mu Fn without lateral effects.
 struct Cattaneo {
     double adhesion_radius;  ///< (mm)
     double rigid_shift;      ///< (mm), positive, that produces Fx
@@ -31,15 +31,15 @@ double unloading_shift(const MaterialPair& bodies, const Hertz& hertz, double mu
 /// slips: 3 pi/16 mu Fn radius.
 double full_spin_moment(const Hertz& hertz, double mu);
 
-/// Forces on the upper body of an elliptic contact rolling along +x, for creepages so small that nothing slips (Kalker
-/// 1990, section 3.1). Positive creepage and spin give negative forces, and spin gives a force towards -y.
+/// Holds forces on the upper body of an elliptic contact rolling along +x, for creepages so small that nothing slips
+/// (Kalker 1990, section 3.1). Positive creepage and spin give negative forces, and spin gives a force towards -y.
 struct RollingForces {
     double Fx, Fy;  ///< (N)
     double Mz;      ///< (N mm)
 };
 RollingForces linear_rolling(const MaterialPair& bodies, const SemiAxes& axes, double xi, double eta, double phi);
 
-/// Two cylinders of combined radius R, pressed together by `force` per length (Johnson, section 4.2(c)).
+/// Describes two cylinders of combined radius R, pressed together by `force` per length (Johnson, section 4.2(c)).
 struct LineContact {
     double half_width;  ///< (mm)
     double pmax;        ///< (N/mm^2)

@@ -1,4 +1,4 @@
-"""Cases of the CONTACT program's input files, made by hand: as texts, and as its reader gives them."""
+"""Provides handmade cases of the CONTACT program's input files, as texts and as read by its reader."""
 
 from __future__ import annotations
 

@@ -173,7 +173,7 @@ _PROFILE_ROWS = {
 
 @dataclass(frozen=True)
 class Echo:
-    """A printed number, and the number that the program would print for the value that was read."""
+    """Holds a printed number, and the number that the program would print for the value that was read."""
 
     name: str
     printed: str

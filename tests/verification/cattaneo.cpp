@@ -1,5 +1,5 @@
-// The Cattaneo problem of the paper's section 4 with closed-form coefficients, against an established half-space code
-// with the same discretisation.
+// Compares the Cattaneo problem of the paper's section 4, with closed-form coefficients, with an established half-space
+// code of the same discretisation.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -50,7 +50,7 @@ TEST_CASE("lateral tractions vanish in their sum only", "[verification]") {
 }
 
 TEST_CASE("without lateral effects the problem is Cattaneo's", "[verification]") {
-    // nu = 0: no coupling of x and y, so theory and discretisation solve the same problem.
+    // With nu = 0, x and y are not coupled, so theory and discretisation solve the same problem.
     ContactProblem problem = cattaneo_problem(80);
     problem.bodies = {{200, 0}, {200, 0}};
     const auto hertz = reference::hertz(problem.bodies.materials(), 50, 0.02);

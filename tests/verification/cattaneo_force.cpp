@@ -1,4 +1,5 @@
-// The Cattaneo problem of verification.md under force control: the forces of the half-space code give back its shift.
+// Solves the Cattaneo problem of verification.md with prescribed forces: the forces of the half-space code reproduce
+// its shift.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

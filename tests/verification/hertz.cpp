@@ -1,4 +1,4 @@
-// Elliptical Hertzian contact (Johnson, Contact Mechanics, section 4.2).
+// Tests elliptic Hertzian contact (Johnson, Contact Mechanics, section 4.2).
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

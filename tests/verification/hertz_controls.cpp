@@ -1,5 +1,5 @@
-// Hertzian ellipses with the approach and with the force prescribed: the bounds hold on coarser grids than it
-// asks for, and the errors fall with refinement.
+// Tests Hertzian ellipses with prescribed approach and prescribed force: the required bounds hold on coarser grids, and
+// errors decrease with refinement.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -17,10 +17,10 @@ using namespace contactd::test;
 namespace {
 
 struct Errors {
-    double load, pmax, area;  // relative; load: of the force found, or of the approach found
+    double load, pmax, area;  // relative error of the computed force or approach
 };
 
-// The window is 1.2 times the ellipse's box, n x n elements.
+// Uses a window of 1.2 times the ellipse's box, with n x n elements.
 Errors errors_of(const SemiAxes& axes, int n, bool force_prescribed) {
     const Material steel{82000, 0.28};
     const double compliance = (1 - steel.nu) / steel.G, Fn = 1000;

@@ -1,5 +1,5 @@
-// A sphere under a constant normal load whose tangential force goes to +Q, back to -Q and to +Q again, step by step
-// (Mindlin and Deresiewicz 1953; Johnson, section 7.4). With nu = 0 x and y do not couple, so that theory and
+// Tests a sphere under a constant normal load whose tangential force goes to +Q, back to -Q and to +Q again, step by
+// step (Mindlin and Deresiewicz 1953; Johnson, section 7.4). With nu = 0 x and y are not coupled, so theory and
 // discretisation solve the same problem.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -19,12 +19,12 @@ constexpr int n = 60;
 constexpr double mu = 0.4, approach = 0.02, radius = 50;
 const MaterialPair bodies{{200, 0}, {200, 0}};
 
-// The contact on its way: every step starts where the last one ended.
+// Holds the contact and its history: every step starts from the end of the previous one.
 struct Path {
     ContactProblem problem;
     ContactInfluence influence;
     double largest = 0;          // force in full slip
-    double shift = 0, work = 0;  // since the beginning: displacement of the force, and what friction dissipated
+    double shift = 0, work = 0;  // since the beginning: displacement of the force, and dissipated energy
 
     Path() {
         problem.grid = Grid::of_elements(n, n, 2.4 / n, 2.4 / n);
@@ -36,7 +36,7 @@ struct Path {
         largest = mu * solve_contact(problem, influence, observer).forces.Fn;
     }
 
-    // Fx as a part of the largest force.
+    // Fx as a fraction of the largest force.
     void step(double Fx) {
         problem.friction = FrictionLaw{{mu}};
         problem.motion = Shift{.force = {Fx * largest, {}}};
@@ -62,7 +62,7 @@ TEST_CASE("a force that goes to and fro closes its hysteresis loop", "[verificat
     const auto hertz = reference::hertz(bodies, radius, approach);
     const double largest = mu * hertz.Fn;
     const double full = reference::cattaneo(bodies, hertz, mu, largest).rigid_shift;
-    constexpr double discretisation = 2e-3;  // of the shift of full slip, at 50 elements across the contact
+    constexpr double discretisation = 2e-3;  // shift of full slip, at 50 elements across the contact
     Path path;
     // The force on the upper body opposes its shift: a push +Q on the upper body is a traction -Q.
     path.step(-highest);
@@ -93,8 +93,8 @@ TEST_CASE("a force that goes to and fro closes its hysteresis loop", "[verificat
                              discretisation * full));
     }
     CHECK_THAT(path.shift, WithinAbs(loaded, 1e-5 * full));
-    // Elements slip at their final traction: what friction dissipates is the area of the loop, for any number of steps
-    // more than the trapezoids.
+    // Elements slip at their final traction, so the dissipated energy is the area of the loop, for any number of steps
+    // above that of the trapezoids.
     const double dissipated = path.work - before;
     CHECK_THAT(dissipated, WithinRel(reference::dissipated_work(bodies, hertz, mu, highest * largest), 0.03));
     CHECK_THAT(area, WithinRel(dissipated, 0.03));

@@ -1,5 +1,5 @@
-// Plane strain: cylinders that are pressed (Hertz), shifted (Cattaneo and Mindlin) and rolled (Carter), and sideways
-// the same in anti-plane strain (Johnson, sections 4.2(c), 7.2 and 8.3).
+// Tests plane strain: pressed (Hertz), shifted (Cattaneo and Mindlin) and rolling (Carter) cylinders, and the same in
+// anti-plane strain sideways (Johnson, sections 4.2(c), 7.2 and 8.3).
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>
@@ -52,7 +52,7 @@ ContactSolution solved(const ContactProblem& problem) {
     return solution;
 }
 
-/// The displacement below the middle of an elliptic traction of `force` per length and the half-width a.
+/// Returns the displacement below the middle of an elliptic traction of `force` per length and the half-width a.
 double middle(double compliance, double force, double a) {
     return compliance * force / std::numbers::pi * (std::log(2 * datum / a) + 0.5);
 }
@@ -92,7 +92,7 @@ TEST_CASE("a cylinder rolls as Carter says, along and, in anti-plane strain, sid
     const auto solution = solved(moved(rolling, 1600));
     const double expected = -mu * P * length * (1 - (1 - share) * (1 - share));
     CHECK_THAT(along ? solution.forces.Fx : solution.forces.Fy, WithinRel(expected, 1e-3));
-    // Rounding makes it, up to what the solver takes for nothing.
+    // It is due to rounding, up to the solver's limit of zero.
     CHECK_THAT(along ? solution.forces.Fy : solution.forces.Fx, WithinAbs(0, 1e-6 * mu * P * length));
     CHECK_THAT(solution.area.adhesion, WithinRel(2 * (1 - share) * cylinder.half_width * length, 0.03));
 }
@@ -119,7 +119,7 @@ TEST_CASE("a shift under a force is Cattaneo's and Mindlin's in the plane", "[ve
 }
 
 TEST_CASE("dissimilar cylinders couple normal and tangential contact", "[verification]") {
-    ContactProblem problem = moved(Rolling{.xi = 0.02}, 200);  // more than what the pressure stretches them by
+    ContactProblem problem = moved(Rolling{.xi = 0.02}, 200);  // more than the extension due to the pressure
     problem.bodies = Bodies::of({{82000, 0.28}, {1000, 0.1}}, line_contact_ics(datum));
     problem.gap = Paraboloid{radius, std::numeric_limits<double>::infinity()};
     problem.Fn = P * length / 100;

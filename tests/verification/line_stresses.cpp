@@ -1,4 +1,4 @@
-// Stresses below a line contact: Hertz's pressure and a traction in proportion to it (McEwen; Johnson, Contact
+// Tests stresses below a line contact: Hertz's pressure and a proportional traction (McEwen; Johnson, Contact
 // Mechanics, sections 4.2(c) and 7.1), anti-plane shear, and very long elements.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
@@ -44,7 +44,7 @@ struct McEwen {
         dd = -m * (1 - share);
         xd = -n * (m * m - d * d) / (m * m + n * n);
     }
-    /// xx of a traction along x, as large as the pressure.
+    /// Returns xx of a traction along x, as large as the pressure.
     double xx_dragged(double x) const { return n * (2 - (d * d - m * m) / (m * m + n * n)) - 2 * x; }
 };
 
@@ -66,7 +66,7 @@ TEST_CASE("below a pressed cylinder stresses are McEwen's", "[verification]") {
         CHECK_THAT(stress.yy[i], WithinAbs(nu * (stress.xx[i] + stress.zz[i]), 1e-12));
         CHECK((stress.xy[i] == 0 && stress.yz[i] == 0));
     }
-    // The largest shear of all: 0.300 p0 at 0.786 a.
+    // The largest shear stress is 0.300 p0 at 0.786 a.
     CHECK_THAT(0.5 * (stress.xx[0] - stress.zz[0]), WithinAbs(0.3003, 1e-4));
 }
 

@@ -1,6 +1,6 @@
-// Random normal contact problems of up to 64 x 64 elements under either control, checked from outside the solver.
-//     random_normal [COUNT [FIRST SEED]]        2000 problems by default
-// Lists every problem that is wrong or did not converge; ends with 1 when one is wrong or more than 0.5 % did not.
+// Runs random normal contact problems of up to 64 x 64 elements, with prescribed approach or force, and checks them
+//     independently of the solver. random_normal [COUNT [FIRST SEED]] 2000 problems by default Lists every problem that
+//     is wrong or did not converge; ends with 1 when one is wrong or more than 0.5 % did not.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

@@ -1,7 +1,6 @@
-// Random positions of wheels on rails, with profiles as they are and as they are measured.
-//     random_wheel_rail [COUNT [FIRST SEED]]        1000 positions by default, ten of each set-up
-// Lists every answer that is wrong, counts the sentences of the others, and ends with 1 when one is wrong or took more
-// than ten seconds of a processor.
+// Runs random positions of wheels on rails, with exact and measured profiles. random_wheel_rail [COUNT [FIRST SEED]]
+//     1000 positions by default, ten of each set-up Lists every answer that is wrong, counts the sentences of the
+//     others, and ends with 1 when one is wrong or took more than ten seconds of a processor.
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>

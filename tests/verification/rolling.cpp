@@ -1,4 +1,4 @@
-// Steady rolling against an established code, Kalker's linear theory and Carter's solution.
+// Compares steady rolling with an established code, Kalker's linear theory and Carter's solution.
 #include <catch2/generators/catch_generators.hpp>
 #include <numbers>
 

@@ -1,4 +1,4 @@
-// Rolling problems as a request states them: full slip, spin, and the simplified models beside the full one.
+// Tests limits of rolling problems: full slip, spin, and the simplified models against the full one.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -1,4 +1,5 @@
-// Subsurface stresses against closed forms (Johnson, Contact Mechanics, sections 2.5, 3.4 and 4.2) and equilibrium.
+// Tests subsurface stresses against closed forms (Johnson, Contact Mechanics, sections 2.5, 3.4 and 4.2) and
+// equilibrium.
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_floating_point.hpp>

@@ -24,7 +24,7 @@ from support.fake_server import FakeServer
 from support.sessions import NAME, STEP, opened
 
 SCHEMA = json.loads((Path(__file__).parents[3] / "proto" / "schema" / "session.step.params.json").read_text())
-TOO_MUCH, LOST = 1e9, 2e9  # the fake answers forces only for some fields
+TOO_MUCH, LOST = 1e9, 2e9  # forces that the fake refuses, or never answers
 
 
 @pytest.fixture

@@ -1,4 +1,4 @@
-// Access of users to methods.
+// Tests the access of users to methods.
 #include "access/method_access.hpp"
 
 #include <catch2/catch_test_macros.hpp>

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A socket bound to a file; closing it leaves the file.
+/// Binds a socket to a file; closing it leaves the file.
 class UnixSocket {
    public:
     UnixSocket(const fs::path& path, int type) : fd_(::socket(AF_UNIX, type | SOCK_CLOEXEC, 0)) {

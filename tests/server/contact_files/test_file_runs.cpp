@@ -1,4 +1,4 @@
-// Runs that wait for their next call.
+// Tests runs that wait for their next call.
 #include "contact_files/file_runs.hpp"
 
 #include <catch2/catch_test_macros.hpp>

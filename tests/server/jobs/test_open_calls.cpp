@@ -58,7 +58,7 @@ TEST_CASE("Requests of a user are counted over all clients, and given back") {
 
 TEST_CASE("Bytes are given back when nobody holds them any more") {
     OpenCalls open({3, 3, 100});
-    auto admission = open.admit({"a"}, 200);  // alone, so it is let in
+    auto admission = open.admit({"a"}, 200);  // alone, so it is admitted
     CHECK(open.bytes() == 200);
     open.close(admission.number);
     CHECK(open.bytes() == 200);

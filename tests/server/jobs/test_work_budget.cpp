@@ -17,7 +17,7 @@ CallPtr call_of(const std::string& client) {
                                   contactd::proto::Priority::normal, limits, [](const Answer&) {});
 }
 
-/// Pieces of work by their names, in the order in which they began.
+/// Records pieces of work by their names, in the order in which they began.
 struct Begun {
     std::vector<std::string> names{};
     std::mutex mutex{};
@@ -34,7 +34,7 @@ struct Begun {
     }
 };
 
-/// All that a pool of one thread was given so far has been done.
+/// Returns after all tasks given to a pool of one thread so far are done.
 void finish(WorkerPool& pool) {
     std::promise<void> done;
     pool.post({"last", contactd::proto::Priority::low}, [&] { done.set_value(); });
@@ -50,7 +50,7 @@ TEST_CASE("Work begins at once where it fits, and otherwise when others have giv
     CallPtr first = call_of("a"), second = call_of("b"), third = call_of("c");
     budget.enter(first, 600, begun.work("first"));
     budget.enter(second, 600, begun.work("second"));
-    budget.enter(third, 300, begun.work("third"));  // it would fit, and waits behind the second
+    budget.enter(third, 300, begun.work("third"));  // it would fit, but waits behind the second one
     CHECK(begun.all() == std::vector<std::string>{"first"});
     CHECK(budget.bytes() == 600);
     CHECK(budget.waiting() == 2);

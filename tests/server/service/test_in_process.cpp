@@ -1,4 +1,4 @@
-// The service in process: messages in, messages out, and an end.
+// Tests the service in process: messages in, messages out, and its end.
 #include "service/in_process.hpp"
 
 #include <sys/wait.h>
@@ -33,7 +33,7 @@ std::string request(const std::string& method, const json& params = json::object
     return envelope.dump();
 }
 
-/// A solve that would take hours.
+/// Is a solve that would take hours.
 json endless() {
     return {{"grid", {{"nx", 60}, {"ny", 60}, {"dx", 0.04}, {"dy", 0.04}}},
             {"bodies", {{"upper", {{"G", 200}, {"nu", 0.42}}}, {"lower", {{"G", 200}, {"nu", 0.42}}}}},
@@ -53,11 +53,11 @@ json simplified() {
     return params;
 }
 
-/// The answer, behind whatever progress there was.
+/// Returns the answer, after any progress.
 json answer_of(Exchange& exchange) {
     for (;;) {
         const auto message = exchange.next(Exchange::Clock::now() + 20s);
-        if (!message) throw std::runtime_error("no answer");  // Catch2 is for one thread
+        if (!message) throw std::runtime_error("no answer");  // Catch2 supports one thread only
         json envelope = json::parse(message->front().bytes());
         if (envelope.contains("status")) return envelope;
     }

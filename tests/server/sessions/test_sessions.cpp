@@ -1,4 +1,4 @@
-// Turns, states, leases and limits of sessions, without a daemon around them.
+// Tests turns, states, leases and limits of sessions, without a daemon.
 #include <catch2/catch_test_macros.hpp>
 #include <future>
 #include <thread>

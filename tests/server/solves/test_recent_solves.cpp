@@ -109,7 +109,7 @@ TEST_CASE("Pressures that are too many go, the oldest first, and their figures s
 
     const Grid large = Grid::of_elements(20, 20, 0.5, 0.5);
     solves.add(*call_of("alice"), begun, solution_with(5, large), large);
-    CHECK_FALSE(solves.of("alice").front().pressures);  // more than all together may take
+    CHECK_FALSE(solves.of("alice").front().pressures);  // more than the limit for all together
     CHECK(reason_of(solves, "alice", 4).empty());
 }
 
@@ -144,5 +144,5 @@ TEST_CASE("Wheels on rails have a grid each place of contact, or none") {
     CHECK_FALSE(found[1].grid);
     CHECK(found[0].elements == 24);
     CHECK(found[0].forces == std::array{2.0, 4.0, 60.0});
-    CHECK_FALSE(found[0].converged);  // its search for the roll did not
+    CHECK_FALSE(found[0].converged);  // its search for the roll did not converge
 }

@@ -26,7 +26,7 @@ Answer answer_to(const std::string& client, const std::string& text) {
     return answer;
 }
 
-/// A socket that this thread owns, and a client of it.
+/// Holds a socket that this thread owns, and a client of it.
 struct Wire {
     Config config = contactd::server::config_from_json({{"limits", {{"max_frames", 3}}}});
     zmq::context_t context;
@@ -112,7 +112,7 @@ TEST_CASE("While the owner waits, another thread sends its answer itself") {
         wire.socket.wake();
         return heard;
     });
-    // Whether the lock was free at the time of the answer or not: it arrives, and once.
+    // The answer arrives exactly once, whether the lock was free or not.
     while (client.wait_for(0s) != std::future_status::ready) {
         wire.socket.wait(nothing, {}, long_enough_ms);
         wire.socket.deliver();

@@ -7,7 +7,7 @@ using namespace contactd::server;
 
 namespace {
 
-/// An identity that ROUTER gives: a zero byte and a number.
+/// Returns an identity as assigned by ROUTER: a zero byte and a number.
 std::string given(char number) {
     return {'\0', 0, 0, 0, number};
 }

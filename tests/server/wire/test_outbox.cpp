@@ -1,4 +1,4 @@
-// Answers to clients that read, that are slow, and that do not read at all.
+// Tests answers to clients that read, that are slow, and that do not read at all.
 #include <catch2/catch_test_macros.hpp>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int queue_of_socket = 2;
 
-/// A ROUTER as the daemon's, and the address clients connect to.
+/// Holds a ROUTER like the daemon's, and the address clients connect to.
 struct Server {
     zmq::context_t context;
     zmq::socket_t router{context, zmq::socket_type::router};
@@ -28,12 +28,12 @@ struct Server {
     }
 };
 
-/// Waits, for ten seconds at most, until `condition` holds.
+/// Waits up to ten seconds until `condition` holds.
 void eventually(const std::function<bool()>& condition) {
     for (int n = 0; n < 10'000 && !condition(); ++n) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
-/// A client that has sent a message, so that the ROUTER knows it.
+/// Holds a client that has sent a message, so that the ROUTER knows it.
 struct Client {
     zmq::socket_t dealer;
 
@@ -48,7 +48,7 @@ struct Client {
         REQUIRE(server.router.recv(hello));
     }
 
-    /// The next answer's envelope; empty when none is there.
+    /// Returns the next answer's envelope; empty if there is none.
     std::string read() {
         zmq::message_t part;
         if (!dealer.recv(part, zmq::recv_flags::dontwait)) return {};
@@ -57,8 +57,8 @@ struct Client {
         return text;
     }
 
-    /// The next answer's envelope, which `outbox` may still have to send. ZeroMQ takes a moment to notice that there is
-    /// room again.
+    /// Returns the next answer's envelope, which `outbox` may still have to send, because ZeroMQ notices free space
+    /// after a moment.
     std::string read_from(Outbox& outbox) {
         std::string text;
         eventually([&] {
