@@ -12,7 +12,7 @@ namespace {
 using namespace contact_files;
 
 constexpr double least_step = 1e-3;  // smallest distance of slices
-constexpr int most_features = 49;    // words of a line without the position
+constexpr int most_features = 49;    // number of words of a line without the position
 constexpr double same_place = 1e-6;  // relative tolerance of the position in a line of features
 
 class SlicesReader {

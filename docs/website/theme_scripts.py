@@ -17,7 +17,7 @@ def plain(script: str) -> str:
     there is no import."""
     found, count = re.subn(r'^import \* as Gumshoe from "\./gumshoe-patched\.js";\n', "", script)
     if not count:
-        raise ValueError(f"{SCRIPT} of the theme does not begin as it did; see whether it still needs theme_scripts")
+        raise ValueError(f"{SCRIPT} of the theme does not import its library; check whether theme_scripts is still needed")
     return found
 
 

@@ -143,7 +143,7 @@ def export(
 
 def import_tables(
     files: Annotated[list[str], typer.Argument(metavar="FILE...", help="Files from ic export (.h5), or of another store.")],
-    store: Annotated[str | None, typer.Option("--store", help="Folder of a store: copy files of another store there, without a daemon.")] = None,
+    store: Annotated[str | None, typer.Option("--store", help="Folder of a store to which files of another store are copied, without a daemon.")] = None,
 ) -> None:
     """Import tables from files into the daemon's store, or into the folder of a store.
 

@@ -17,7 +17,7 @@ __all__ = ["program"]
 def program(name: str = "contactd") -> Path:
     """Returns the path of the program `name`, contactd or contactd-ic. Raises ValueError for others."""
     if name not in ("contactd", "contactd-ic"):
-        raise ValueError(f"name is {name!r}; there are contactd and contactd-ic")
+        raise ValueError(f"name is {name!r}; it must be contactd or contactd-ic")
     return Path(__file__).parent / "bin" / name
 
 

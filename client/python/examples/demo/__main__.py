@@ -62,7 +62,7 @@ def show_steel_table(client: Client) -> list[Check]:
     milliseconds = 1000 * (time.perf_counter() - start)
     counters = client.info().counters
     say()
-    say(f"Asked again, it comes from {styled(again.origin, 'bold')} in {styled(f'{milliseconds:.1f} ms', 'bold')}.")
+    say(f"The second request gets it from {styled(again.origin, 'bold')} in {styled(f'{milliseconds:.1f} ms', 'bold')}.")
     say(f"Builds started: {counters['builds_started']}. Answered from memory: {counters['memory_hits']}.")
     cached = again.origin == "memory" and counters["builds_started"] == 1
     return [*table_checks(first), (cached, f"{'steel, second request':34} {again.origin:>9}, without another build")]

@@ -39,7 +39,7 @@ Values coefficients(const ContactProblem& problem) {
     return mu;
 }
 
-/// Returns EnteringParticles::part of transient rolling, otherwise none.
+/// Returns EnteringParticles::part for transient rolling, and nothing otherwise.
 Values entering(const ContactProblem& problem, const Grid& grid, const Values& pressure) {
     const auto* rolling = problem.friction ? std::get_if<Rolling>(&problem.motion) : nullptr;
     if (rolling == nullptr || rolling->steady()) return {};

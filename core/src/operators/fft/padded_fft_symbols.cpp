@@ -66,8 +66,7 @@ PaddedFft::Symbol PaddedFft::symbol(const Kernel& kernel) const {
     const std::size_t row_size = plans.group_size(1);
     for (std::size_t g = 0; g < plans.groups; ++g) {
         double* group = spectrum.get() + g * plans.group_size(plans.padded_rows());
-        // The rows after the last row of the kernel contain those that filled up its last group, and then the mirrored
-        // ones.
+        // Clears the rows beyond the kernel: those that fill up its last group, and those of the mirror image.
         const auto end = static_cast<std::size_t>(plans.padded_ny);
         std::fill(group + count * row_size, group + std::max(count, end) * row_size, 0.0);
         for (int l = 1; l <= last_l; ++l) {

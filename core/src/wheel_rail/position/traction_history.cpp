@@ -86,7 +86,8 @@ long long TractionHistory::Elements::beside(long long ix, long long iy) const {
     return std::max({0LL, x - ix, ix - (x + nx - 1), y - iy, iy - (y + ny - 1)});
 }
 
-// The first element is rounded, and the others follow it, because those of steady rolling lie about their reference.
+// The first element is rounded, and the others follow it, because elements of steady rolling are centred on their
+// reference.
 TractionHistory::Elements TractionHistory::elements_of(const Grid& grid, const RailPlace& on_rail) {
     return {std::llround((on_rail.along + grid.x(0)) / grid.dx), std::llround((on_rail.across + grid.y(0)) / grid.dy),
             grid.nx, grid.ny};
