@@ -57,7 +57,7 @@ class CaseRun {
         bool has_rows = false;
         std::string broken{};  ///< the reason why the cases that follow cannot continue; empty if they can
     };
-    /// Lets the reader ask whoever waits now whether the run is cancelled.
+    /// Lets the reader ask the current observer whether the run is cancelled.
     struct Asked : Observer {
         const Observer* now = nullptr;
         bool cancelled() const override { return now != nullptr && now->cancelled(); }

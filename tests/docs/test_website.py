@@ -141,7 +141,7 @@ def test_the_types_that_clients_meet_are_those_that_cmake_installs(part):
 def test_a_script_of_the_theme_that_is_another_one_is_told(part):
     plain = part("theme_scripts").plain
     assert plain('import * as Gumshoe from "./gumshoe-patched.js";\nvar header;\n') == "var header;\n"
-    with pytest.raises(ValueError, match="see whether it still needs theme_scripts"):
+    with pytest.raises(ValueError, match="check whether theme_scripts is still needed"):
         plain("var header;\n")
 
 

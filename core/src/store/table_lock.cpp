@@ -9,7 +9,7 @@ using platform::OpenFile;
 TableLock::~TableLock() {
     if (!file_) return;
     std::error_code ignored;
-    // The file is removed while locked, so that nobody else holds a removed file.
+    // The file is removed while locked, so that no other process holds a removed file.
     std::filesystem::remove(path_, ignored);
 }
 

@@ -1,4 +1,4 @@
-"""bench: response times of a daemon from here."""
+"""Implements bench, which measures response times of a daemon."""
 
 from __future__ import annotations
 

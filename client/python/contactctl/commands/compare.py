@@ -1,4 +1,4 @@
-"""compare: one case with all contact models that support it."""
+"""Implements compare, which solves one case with all contact models that support it."""
 
 from __future__ import annotations
 

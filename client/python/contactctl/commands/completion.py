@@ -1,4 +1,4 @@
-"""completion: completes commands and options in shells."""
+"""Implements completion, which completes commands and options in shells."""
 
 from __future__ import annotations
 

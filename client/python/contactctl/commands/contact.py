@@ -1,4 +1,4 @@
-"""contact: cases of the CONTACT program's input files."""
+"""Implements contact, which computes cases of the CONTACT program's input files."""
 
 from __future__ import annotations
 

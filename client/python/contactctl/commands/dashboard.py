@@ -1,4 +1,4 @@
-"""dashboard: the activity of the daemon, in a browser."""
+"""Implements dashboard, which shows the activity of the daemon in a browser."""
 
 from __future__ import annotations
 

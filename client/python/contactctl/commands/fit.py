@@ -1,4 +1,4 @@
-"""fit: parameters of friction from a measured creep curve."""
+"""Implements fit, which fits parameters of friction to a measured creep curve."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""info, health: version and state of the daemon."""
+"""Implements info and health, which show version and state of the daemon."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""jobs, cancel: lists and ends jobs of the daemon."""
+"""Implements jobs and cancel, which list and end jobs of the daemon."""
 
 from __future__ import annotations
 

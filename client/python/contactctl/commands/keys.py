@@ -1,4 +1,4 @@
-"""keys: pairs of CURVE keys for encrypted connections (docs/security.md)."""
+"""Implements keys, which creates pairs of CURVE keys for encrypted connections (docs/security.md)."""
 
 from __future__ import annotations
 

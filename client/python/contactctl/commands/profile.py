@@ -1,4 +1,4 @@
-"""profile: reads a profile file, and converts it to other formats."""
+"""Implements profile, which reads a profile file, and converts it to other formats."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""session: replays a recorded history step by step."""
+"""Implements session, which replays a recorded history step by step."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""solve: one contact problem from a file."""
+"""Implements solve, which solves one contact problem from a file."""
 
 from __future__ import annotations
 

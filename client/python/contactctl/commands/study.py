@@ -1,4 +1,4 @@
-"""study: a sweep over the parameters of a problem."""
+"""Implements study, which solves a problem for many values of its parameters."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""ic: tables of influence coefficients, in the daemon's store and in files."""
+"""Implements ic: tables of influence coefficients, in the daemon's store and in files."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""watch: the activity of the daemon, updated regularly."""
+"""Implements watch, which regularly updates the activity of the daemon."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""wear: wears profiles in a set of weighted states."""
+"""Implements wear, which wears profiles in a set of weighted states."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""wheelrail: a wheel on a rail, from a file or from a few numbers."""
+"""Implements wheelrail, which solves a wheel on a rail, from a file or from a few numbers."""
 
 from __future__ import annotations
 

@@ -196,7 +196,7 @@ def check_finite(array: Array) -> None:
 
 def _require_offsets(table: IcTable) -> None:
     if table.frames is not None:
-        raise ValueError(f"the table is that of a longitudinally uniform body, of columns instead of offsets; {_IMPORT}")
+        raise ValueError(f"the table is that of a longitudinally uniform body, with columns instead of offsets; {_IMPORT}")
 
 
 @public

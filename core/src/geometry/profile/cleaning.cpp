@@ -51,7 +51,7 @@ Points joined(Points left, const Points& right) {
 
 /// Returns the point where the other side emerges from behind a lip. `beside` is the hidden point next to its end.
 ProfilePoint behind_lip(const ProfilePoint& lip, const ProfilePoint& other, const ProfilePoint& beside) {
-    constexpr double advance = 1e-3;  // mm, so that y goes on
+    constexpr double advance = 1e-3;  // mm, so that y increases or decreases throughout
     const double y = lip.y + std::copysign(std::min(advance, std::abs(other.y - lip.y) / 2), other.y - lip.y);
     const double share = std::clamp((y - beside.y) / (other.y - beside.y), 0.0, 1.0);
     return {y, beside.z + share * (other.z - beside.z)};
