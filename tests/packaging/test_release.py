@@ -58,7 +58,7 @@ def test_what_was_signed_is_sound(signed):
         (lambda folder: (folder / "a.whl").write_text("other"), "a.whl has been altered"),
         (lambda folder: (folder / "b.deb").unlink(), "b.deb is missing"),
         (lambda folder: (folder / "c.whl").write_text("more"), "c.whl is not listed"),
-        (lambda folder: (folder / "SHA256SUMS").write_text((folder / "SHA256SUMS").read_text() + "0  a.whl\n"), "no signature"),
+        (lambda folder: (folder / "SHA256SUMS").write_text((folder / "SHA256SUMS").read_text() + "0  a.whl\n"), "not a signature"),
     ],
 )
 def test_what_is_not_as_it_was_signed_is_refused(signed, change, sentence):
@@ -70,7 +70,7 @@ def test_what_is_not_as_it_was_signed_is_refused(signed, change, sentence):
 def test_the_signature_of_somebody_else_is_refused(signed, tmp_path):
     subprocess.run(["ssh-keygen", "-q", "-t", "ed25519", "-N", "", "-f", tmp_path / "other"], check=True)
     (tmp_path / "signers").write_text(f"contactd-release {(tmp_path / 'other.pub').read_text()}")
-    assert any("no signature" in problem for problem in problems(*signed))
+    assert any("not a signature" in problem for problem in problems(*signed))
 
 
 @needs_ssh

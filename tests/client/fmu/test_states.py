@@ -109,7 +109,7 @@ def test_bytes_that_are_no_state_are_refused(contact, wheel, damage):
     bad = {"cut": written[:-3], "flipped": flipped, "empty": b"", "of another kind": written}[damage]
     with pytest.raises(FMICallException):
         fmu.slave.deserializeFMUState(bad)
-    assert "no state of this FMU" in fmu.log[-1][2]
+    assert "not a state of this FMU" in fmu.log[-1][2]
 
 
 def test_a_wheel_goes_back_and_on(wheel):
