@@ -80,7 +80,7 @@ def show(rows: list[dict[str, Any]]) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=500, help="calls of each kind (default %(default)s)")
-    parser.add_argument("--quantile", type=float, default=0.5, help="of times; use 0.1 on a busy machine (default 0.5)")
+    parser.add_argument("--quantile", type=float, default=0.5, help="quantile of the times; use 0.1 on a busy machine (default 0.5)")
     options = parser.parse_args()
     show(measure(Path(os.environ.get("CONTACTD_BIN", "build/production/bin")).absolute(), options.rounds, options.quantile))
 

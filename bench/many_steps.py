@@ -108,7 +108,7 @@ def show(found: dict[str, Any]) -> None:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rounds", type=int, default=300, help="steps of each vehicle (default %(default)s)")
-    parser.add_argument("--quantile", type=float, default=0.5, help="of times; use 0.1 on a busy machine (default 0.5)")
+    parser.add_argument("--quantile", type=float, default=0.5, help="quantile of the times; use 0.1 on a busy machine (default 0.5)")
     options = parser.parse_args()
     program = daemon_program()
     show(measure(program, options.rounds, options.quantile))

@@ -119,7 +119,7 @@ def main() -> None:
     parser.add_argument("--n", type=int, default=25, help="elements along x and y (default %(default)s)")
     parser.add_argument("--steps", type=int, default=400, help="requests of each kind (default %(default)s)")
     parser.add_argument("--change", type=float, default=0.05, help="relative change of a step (default %(default)s)")
-    parser.add_argument("--quantile", type=float, default=0.5, help="of times; use 0.1 on a busy machine (default 0.5)")
+    parser.add_argument("--quantile", type=float, default=0.5, help="quantile of the times; use 0.1 on a busy machine (default 0.5)")
     options = parser.parse_args()
     program = daemon_program()
     print(f"{'':14}{'':16}{'round trip':>12}{'solver':>12}{'rest (us)':>12}{'iterations':>12}")

@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 PAGE = Path(__file__).with_name("fmu.md")
-MARK = "<!-- What follows is written by ./dev docs from client/fmu/variables: edit it there. -->\n"
+MARK = "<!-- The rest is written by ./dev docs from client/fmu/variables: edit it there. -->\n"
 ROLES = {"parameter": "Parameters", "tunable": "Parameters that may change", "input": "Inputs", "output": "Outputs"}
 Json = Mapping[str, Any]
 

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 PAGE = Path(__file__).with_name("limits.md")
-MARK = "<!-- What follows is written by ./dev docs from `x-largest` in proto/schema: edit it there. -->\n"
+MARK = "<!-- The rest is written by ./dev docs from `x-largest` in proto/schema: edit it there. -->\n"
 
 
 def costs(program: str | Path) -> list[dict[str, Any]]:

@@ -14,7 +14,7 @@ from typing import Any
 from contactd import LocalDaemon
 
 PAGE = Path(__file__).with_name("protocol.md")
-MARK = "<!-- What follows is written by ./dev docs from proto/schema: edit it there. -->\n"
+MARK = "<!-- The rest is written by ./dev docs from proto/schema: edit it there. -->\n"
 SCHEMAS = "#/components/schemas/"
 Schema = dict[str, Any]
 

@@ -104,7 +104,7 @@ class Engine {
     RotatedPatches rotated_patches_;
     IcCache closed_forms_;  // Holds tables for waiting callers and for wheels on rails.
     PreparedContacts wheels_on_rails_;
-    std::mutex mutex_;  // guards what follows
+    std::mutex mutex_;  // guards the members below
     std::unique_ptr<IcService> tables_;
 };
 

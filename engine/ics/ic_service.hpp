@@ -113,7 +113,7 @@ class IcService {
     JobTable& jobs_;
     EngineCounters& counters_;
     IcCache cache_;
-    std::mutex mutex_;                   // guards what follows
+    std::mutex mutex_;                   // guards the members below
     std::vector<RequestPtr> in_flight_;  // looking up, queued or building
     bool stopping_ = false;
     proto::Status stop_status_;

@@ -24,7 +24,7 @@ class PreparedContacts {
 
    private:
     const InfluenceSource source_;
-    mutable std::mutex mutex_;     // guards what follows
+    mutable std::mutex mutex_;     // guards the members below
     std::list<Contact> contacts_;  // used last first
 };
 

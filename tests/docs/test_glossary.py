@@ -81,7 +81,7 @@ NAMED = {
 @pytest.mark.parametrize("page", WRITTEN_HERE, ids=lambda page: str(page.relative_to(ROOT)))
 def test_pages_have_the_words_of_the_field(page):
     """Excludes code, and text that ./dev docs writes from the schemas."""
-    text = page.read_text().partition("<!-- What follows is written by ./dev docs")[0]
+    text = page.read_text().partition("<!-- The rest is written by ./dev docs")[0]
     text = re.sub(r"^```.*?^```|`[^`\n]*`", "", text, flags=re.MULTILINE | re.DOTALL)
     found = everyday(text)
     assert not set(found) - set(NAMED.get(page.name, [])), found

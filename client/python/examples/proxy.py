@@ -154,7 +154,7 @@ class Proxy:
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("address", help="where clients connect")
+    parser.add_argument("address", help="address for clients")
     parser.add_argument("daemons", nargs="+", help="endpoints of the daemons")
     options = parser.parse_args()
 

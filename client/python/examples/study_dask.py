@@ -52,7 +52,7 @@ def study(endpoints: list[str], dask: Dask) -> list[tuple[float, float, float, s
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--bin", type=Path, help="folder of contactd; without it that of PATH is taken")
+    parser.add_argument("--bin", type=Path, help="folder of contactd; default: from PATH")
     options = parser.parse_args()
     program = options.bin / "contactd" if options.bin else "contactd"
     with tempfile.TemporaryDirectory(prefix="study-", dir="/tmp") as folder:

@@ -58,7 +58,7 @@ class InfluenceCache {
 
     const std::size_t budget_;
     LeastRecentlyUsed<ContactInfluence> influences_;
-    mutable std::mutex mutex_;  // guards what follows
+    mutable std::mutex mutex_;  // guards the members below
     std::optional<Beyond> beyond_;
 };
 

@@ -29,7 +29,7 @@ struct WorkBudget::State : std::enable_shared_from_this<State> {
     explicit State(double limit_) : limit(limit_) {}
 
     const double limit;
-    std::mutex mutex;  // guards what follows
+    std::mutex mutex;  // guards the members below
     WorkerPool* workers = nullptr;
     double work = 0, counted = 0;  // Counts bytes of running work, and bytes that are used in any case.
     double so_far = 0;             // bytes given back

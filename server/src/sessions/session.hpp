@@ -87,7 +87,7 @@ class Session : public std::enable_shared_from_this<Session> {
                     const StepRequest& request, engine::Engine& engine);
 
     const std::unique_ptr<Simulation> simulation_;
-    mutable std::mutex mutex_;  // guards what follows
+    mutable std::mutex mutex_;  // guards the members below
     SessionStatePtr state_;
     std::map<std::string, SessionStatePtr> states_;
     long long serial_ = 0;

@@ -65,7 +65,7 @@ class RecentSolves {
     void keep(RecentSolve solve);
 
     const RecentSolvesLimits limits_;
-    mutable std::mutex mutex_;  // guards what follows
+    mutable std::mutex mutex_;  // guards the members below
     std::deque<RecentSolve> solves_;
     std::uint64_t count_ = 0;
     std::size_t bytes_ = 0;  // of pressures

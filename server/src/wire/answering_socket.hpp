@@ -86,7 +86,7 @@ class AnsweringSocket {
     const NoteAnswer note_;
     const std::thread::id owner_ = std::this_thread::get_id();
     Mailbox<Answer> mailbox_;
-    std::mutex mutex_;  // guards what follows
+    std::mutex mutex_;  // guards the members below
     std::unique_lock<std::mutex> held_{mutex_};
     zmq::socket_t socket_;
     std::optional<SocketFile> file_;  // ZeroMQ leaves it

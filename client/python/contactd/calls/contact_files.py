@@ -1,4 +1,4 @@
-"""Calls for files of the CONTACT program."""
+"""Implements calls for files of the CONTACT program."""
 
 from __future__ import annotations
 

@@ -99,21 +99,21 @@ def _opener(fmu: Path | None) -> OpenWheels:
 
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="bogie", description=(__doc__ or "").split("\n")[0])
-    parser.add_argument("--endpoint", help="of a daemon that runs; default: solves in this process, or starts a daemon")
-    parser.add_argument("--daemon", action="store_true", help="start a daemon also where this process could solve")
+    parser.add_argument("--endpoint", help="endpoint of a running daemon; default: solve in this process, or start a daemon")
+    parser.add_argument("--daemon", action="store_true", help="start a daemon even if this process can solve")
     parser.add_argument(
-        "--fmu", type=Path, metavar="FILE", help="contactd_wheel of ./dev fmu, to solve the wheels at --speeds"
+        "--fmu", type=Path, metavar="FILE", help="FMU contactd_wheel of ./dev fmu, which solves the wheels at --speeds"
     )
     parser.add_argument("--integrator", choices=INTEGRATORS, default="exudyn", help="default: %(default)s")
     parser.add_argument("--contacts", nargs="+", choices=SETUPS, default=list(SETUPS), help="default: all")
-    parser.add_argument("--speeds", nargs="*", type=float, default=[50.0, 90.0], help="m/s; default: 50 90")
-    parser.add_argument("--seconds", type=float, default=2.0, help="simulated; default: %(default)g")
+    parser.add_argument("--speeds", nargs="*", type=float, default=[50.0, 90.0], help="speeds (m/s); default: 50 90")
+    parser.add_argument("--seconds", type=float, default=2.0, help="simulated time (s); default: %(default)g")
     parser.add_argument("--element", type=float, help="size of the elements (mm); default: 1")
-    parser.add_argument("--seed", type=int, default=1, help="of the track's irregularities; default: %(default)s")
-    parser.add_argument("--curve", action="store_true", help="into a curve of 600 m at 30 m/s")
-    parser.add_argument("--energy", action="store_true", help="the balance of energy over a second")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the track's irregularities; default: %(default)s")
+    parser.add_argument("--curve", action="store_true", help="run into a curve of 600 m at 30 m/s")
+    parser.add_argument("--energy", action="store_true", help="compute the balance of energy over a second")
     parser.add_argument(
-        "--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="critical speeds between these (m/s)"
+        "--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="search for critical speeds between these (m/s)"
     )
     parser.add_argument("--output", type=Path, help="folder of the pictures; default: no pictures")
     options = parser.parse_args()

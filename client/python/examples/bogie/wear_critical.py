@@ -91,11 +91,11 @@ def draw(stages: list[Stage], contact: str, path: Path) -> None:
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="wear_critical.py", description=(__doc__ or "").split("\n")[0])
-    parser.add_argument("folder", type=Path, help="with stage-000 and so on; critical.csv is written there")
+    parser.add_argument("folder", type=Path, help="folder with stage-000 and so on, in which critical.csv is written")
     parser.add_argument("--contact", choices=SETUPS, default="fastsim", help="default: %(default)s")
     parser.add_argument("--between", type=float, nargs=2, metavar=("LOW", "HIGH"), default=(40.0, 120.0), help="speeds (m/s)")
-    parser.add_argument("--tolerance", type=float, default=0.25, help="of the critical speed (m/s); default: %(default)g")
-    parser.add_argument("--picture", type=Path, help="where it is drawn, such as critical.png")
+    parser.add_argument("--tolerance", type=float, default=0.25, help="tolerance of the critical speed (m/s); default: %(default)g")
+    parser.add_argument("--picture", type=Path, help="file of the picture, such as critical.png")
     options = parser.parse_args()
     low, high = options.between
     if not 0 < low < high:

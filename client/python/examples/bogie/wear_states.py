@@ -97,10 +97,10 @@ def _curve(radius: float) -> Line:
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="wear_states.py", description=(__doc__ or "").split("\n")[0])
-    parser.add_argument("folder", type=Path, help="with wheel.prw; states.csv is written there")
-    parser.add_argument("--seconds", type=float, default=2.0, help="simulated of each part; default: %(default)g")
-    parser.add_argument("--speed", type=float, default=50.0, help="on straight track (m/s); default: %(default)g")
-    parser.add_argument("--radius", type=float, default=600.0, help="of both curves (m); default: %(default)g")
+    parser.add_argument("folder", type=Path, help="folder with wheel.prw, in which states.csv is written")
+    parser.add_argument("--seconds", type=float, default=2.0, help="simulated time of each part (s); default: %(default)g")
+    parser.add_argument("--speed", type=float, default=50.0, help="speed on straight track (m/s); default: %(default)g")
+    parser.add_argument("--radius", type=float, default=600.0, help="radius of both curves (m); default: %(default)g")
     parser.add_argument("--count", type=int, default=20, help="states of each part; default: %(default)s")
     parser.add_argument(
         "--integrator", choices=INTEGRATORS, default="runge-kutta", help="default: %(default)s, which needs no Exudyn"

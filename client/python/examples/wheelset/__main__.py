@@ -132,16 +132,16 @@ def _need(module: str) -> None:
 
 def _options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(prog="wheelset", description=(__doc__ or "").split("\n")[0])
-    parser.add_argument("--endpoint", help="of a daemon that runs; default: one is started")
+    parser.add_argument("--endpoint", help="endpoint of a running daemon; default: start one")
     parser.add_argument(
         "--integrator", choices=("exudyn", "runge-kutta"), default="exudyn", help="default: %(default)s"
     )
     parser.add_argument("--contacts", nargs="+", choices=SETUPS, default=list(SETUPS), help="default: all")
-    parser.add_argument("--speeds", nargs="*", type=float, default=[40.0, 70.0], help="m/s; default: 40 70")
-    parser.add_argument("--seconds", type=float, default=2.0, help="simulated; default: %(default)g")
-    parser.add_argument("--seed", type=int, default=1, help="of the track's irregularities; default: %(default)s")
+    parser.add_argument("--speeds", nargs="*", type=float, default=[40.0, 70.0], help="speeds (m/s); default: 40 70")
+    parser.add_argument("--seconds", type=float, default=2.0, help="simulated time (s); default: %(default)g")
+    parser.add_argument("--seed", type=int, default=1, help="seed of the track's irregularities; default: %(default)s")
     parser.add_argument(
-        "--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="critical speeds between these (m/s)"
+        "--search", nargs=2, type=float, metavar=("LOW", "HIGH"), help="search for critical speeds between these (m/s)"
     )
     parser.add_argument("--output", type=Path, help="folder of the pictures; default: no pictures")
     options = parser.parse_args()
