@@ -1,4 +1,4 @@
-// Friction from CONTACT's numbers.
+// Determines friction from CONTACT's numbers.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The implementation of sessions.
+// Implements sessions.
 #pragma once
 
 #include <atomic>

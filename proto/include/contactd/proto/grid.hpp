@@ -1,4 +1,4 @@
-// Grids as JSON, which are part of many messages.
+// Encodes and decodes grids as JSON, which are part of many messages.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,4 @@
-// The messages of wheelrail.solve, wheelrail.wheelset and wheelrail.geometry (docs/wheel-rail.md).
+// Encodes the messages of wheelrail.solve, wheelrail.wheelset and wheelrail.geometry (docs/wheel-rail.md).
 #pragma once
 
 #include <span>
