@@ -47,15 +47,16 @@ void HelpingThreads::make(std::size_t count) {
 }
 
 void HelpingThreads::share(std::size_t count, std::size_t threads, const std::function<void(std::size_t)>& act) {
-    Work work{.count = count, .places = std::min(threads, count) > 1 ? std::min(threads, count) - 1 : 0, .act = act};
-    if (work.places == 0) return work.do_it();
+    const std::size_t helpers = std::max(std::min(threads, count), std::size_t{1}) - 1;
+    Work work{.count = count, .places = helpers, .act = act};
+    if (helpers == 0) return work.do_it();
     std::list<Work*>::iterator at;
     {
         const std::lock_guard lock(mutex_);
-        make(work.places);
+        make(helpers);
         at = works_.insert(works_.end(), &work);
     }
-    if (work.places == 1)
+    if (helpers == 1)
         called_.notify_one();
     else
         called_.notify_all();
