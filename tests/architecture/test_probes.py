@@ -80,7 +80,7 @@ from contactd.contact_files.python_text import python_text
 from contactd.values.contact_params import traction_params
 from contactd.values.generated.array_labels import ARRAY_LABELS
 from contactd.values.generated.problem import Estimate
-from contactd.values.partial_solution import ALL_FIELDS, OPTIONAL_ARRAYS
+from contactd.values.solution import ALL_FIELDS, OPTIONAL_ARRAYS
 
 estimate = Estimate(pressure=[[1.0]], probe=[[2.0]])
 assert traction_params(estimate, "previous").keys() == {"pressure", "probe"}

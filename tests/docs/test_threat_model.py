@@ -23,6 +23,8 @@ READERS = {
     "client/python/contactd/files/ic_files.py": "IC file (`.h5`) of a stranger",
     "client/python/contactd/files/saved.py": "problem or solution (`.h5`)",
     "client/python/contactd/files/table_files.py": "`.npz`",
+    "client/python/contactctl/conformity/benchmark_files.py": "values of a benchmark",
+    "client/python/contactctl/conformity/run_files.py": "forces along a run",
     "client/python/contactd/wear/states.py": "states and steps of wear",
     "client/python/contactd/transport/curve.py": "keys",
     "cases/given/named_files.cpp": "`.txt`",

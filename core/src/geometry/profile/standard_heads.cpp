@@ -12,14 +12,12 @@
 namespace contactd::geometry {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-
 struct HeadArc {
     double radius, width;  // mm; `width` is that of the head at the lower end of the arc
 };
 
 /// Holds the dimensions of a head in its drawing: arcs from the top on, then a straight side down to the fillet.
-struct Head {
+struct StandardHead {
     StandardName name;
     std::array<HeadArc, 4> arcs;    // the last one ends at the side and has no width; unused ones have no radius
     double side;                    // dz/dy of the side at y > 0
@@ -29,14 +27,14 @@ struct Head {
 /// EN 13674-1:2017, annex A. The public package EN13674 of A. Rohrbeck (2022) contains each of these dimensions.
 /// docs/profiles.md names the points with which each head was compared.
 constexpr std::array heads{
-    Head{StandardName::n49E5, {{{115, 41.342}, {16.5, 62.980}, {15.5, 66}, {7.64, 0}}}, 17.2, 3, 51.5, 2},
-    Head{StandardName::n54E1, {{{300, 20.024}, {80, 49.727}, {13, 0}}}, 20, 2.75, 49.4, 3},
-    Head{StandardName::n54E3, {{{300, 15.267}, {80, 46.835}, {13, 0}}}, 17.2, 3, 55, 5},
-    Head{StandardName::n60E1, {{{300, 20.456}, {80, 52.053}, {13, 0}}}, 20, 2.75, 51, 3},
-    Head{StandardName::n60E2, {{{200, 23.778}, {70, 48.913}, {16, 70.774}, {8, 0}}}, 20, 2.75, 51, 3}};
+    StandardHead{StandardName::n49E5, {{{115, 41.342}, {16.5, 62.980}, {15.5, 66}, {7.64, 0}}}, 17.2, 3, 51.5, 2},
+    StandardHead{StandardName::n54E1, {{{300, 20.024}, {80, 49.727}, {13, 0}}}, 20, 2.75, 49.4, 3},
+    StandardHead{StandardName::n54E3, {{{300, 15.267}, {80, 46.835}, {13, 0}}}, 17.2, 3, 55, 5},
+    StandardHead{StandardName::n60E1, {{{300, 20.456}, {80, 52.053}, {13, 0}}}, 20, 2.75, 51, 3},
+    StandardHead{StandardName::n60E2, {{{200, 23.778}, {70, 48.913}, {16, 70.774}, {8, 0}}}, 20, 2.75, 51, 3}};
 
-const Head& head_of(StandardName name) {
-    for (const Head& head : heads)
+const StandardHead& head_of(StandardName name) {
+    for (const StandardHead& head : heads)
         if (head.name == name) return head;
     throw Error("A standard profile has no head.");
 }
@@ -47,11 +45,11 @@ struct PlacedArc {
     double radius, from, to;
 
     ProfilePoint end() const { return {centre.y + radius * std::sin(to), centre.z - radius * std::cos(to)}; }
-    Stretch stretch() const { return arc(centre, radius, from - pi / 2, to - pi / 2); }
+    Stretch stretch() const { return arc(centre, radius, from - std::numbers::pi / 2, to - std::numbers::pi / 2); }
 };
 
 /// Places the arcs so that each continues the previous one with the same tangent.
-std::vector<PlacedArc> placed_arcs(const Head& head) {
+std::vector<PlacedArc> placed_arcs(const StandardHead& head) {
     std::vector<PlacedArc> placed;
     ProfilePoint start;
     double inclination = 0;
@@ -67,7 +65,7 @@ std::vector<PlacedArc> placed_arcs(const Head& head) {
 }
 
 /// Returns the straight side from the last arc to the fillet between side and underside.
-Stretch side_of(const Head& head, ProfilePoint start) {
+Stretch side_of(const StandardHead& head, ProfilePoint start) {
     const double rise = 1 / head.underside;
     const double corner = (head.low - start.z + head.side * start.y) / (head.side + rise);
     const double cut = head.fillet / std::tan((std::atan(head.side) + std::atan(rise)) / 2);
@@ -87,7 +85,7 @@ Stretch mirrored(const Stretch& stretch) {
 std::vector<ProfilePoint> formula_points(const StandardProfile& profile) {
     if (profile.name == StandardName::S1002) return formula_points(S1002{});
     if (profile.name == StandardName::UIC60) return formula_points(Rail60E1{profile.inclination});
-    const Head& head = head_of(profile.name);
+    const StandardHead& head = head_of(profile.name);
     const auto arcs = placed_arcs(head);
     std::vector<Stretch> right;
     for (std::size_t i = 1; i < arcs.size(); ++i) right.push_back(arcs[i].stretch());
@@ -95,7 +93,7 @@ std::vector<ProfilePoint> formula_points(const StandardProfile& profile) {
     std::vector<Stretch> stretches;
     for (auto stretch = right.rbegin(); stretch != right.rend(); ++stretch) stretches.push_back(mirrored(*stretch));
     const PlacedArc& top = arcs.front();
-    stretches.push_back(arc(top.centre, top.radius, -top.to - pi / 2, top.to - pi / 2));
+    stretches.push_back(arc(top.centre, top.radius, -top.to - std::numbers::pi / 2, top.to - std::numbers::pi / 2));
     std::ranges::move(right, std::back_inserter(stretches));
 
     // The head is rotated about the centre of its first arc, so that the top stays where it is on this arc.
