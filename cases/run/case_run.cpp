@@ -101,10 +101,9 @@ std::vector<ContactFileBlock> blocks_below(const std::vector<GivenBlock>& given,
         const GivenBlock on_it = on_grid(one, solved.problem.grid);
         const std::size_t points = block_points(on_it, solved.problem.grid).size();
         if (points > left)
-            throw NotCovered(Subject::input, "A block of subsurface points has " + std::to_string(points) +
-                                                 " points; of those that max_elements permits for the blocks of a "
-                                                 "case, 10 for each element, " +
-                                                 std::to_string(left) + " are left.");
+            throw NotCovered(Subject::input, "A block has " + std::to_string(points) + " subsurface points, but " +
+                                                 std::to_string(left) +
+                                                 " remain for the case. Ten times max_elements points are accepted.");
         left -= points;
         SolvedBlock block = solve_block(on_it, solved, observer);
         blocks.push_back({std::move(block.points), std::move(block.displacement), std::move(block.stress)});

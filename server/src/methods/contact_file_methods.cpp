@@ -34,7 +34,7 @@ WorkCost cost_of_contact_file(const json& params, const Config&) {
 /// Returns the cost of reading, and of one case of the largest size, for which other cases wait.
 WorkCost cost_of_cases(const json& params, const Config& config) {
     // Of an element of a contact, and of the ten points that it may have in subsurface blocks.
-    constexpr double bytes_of_element = 4000 + 10 * 400, seconds_of_element = 4e-5;
+    constexpr double bytes_of_element = 4000 + 10 * 250, seconds_of_element = 4e-5;
     constexpr double copies_of_files = 3;
     WorkCost cost = cost_of_text(params);
     if (const json* files = member(params, "files"))

@@ -152,7 +152,7 @@ TEST_CASE("large cases are refused before memory is allocated", "[contact_files]
 TEST_CASE("the points of a case are bounded by its elements", "[contact_files]") {
     const auto layers = [](int count) {
         ContactFileInput input;
-        input.text = module_3 + ball("201101", "0.001", Rest::none) + "2 1 A, O\n1 ISUBS\n" + std::to_string(count) +
+        input.text = module_3 + ball("201103", "0.001", Rest::none) + "2 1 A, O\n1 ISUBS\n" + std::to_string(count) +
                      " 0.1 0.1\n0\n" + end;
         input.max_elements = 900;
         return run(std::move(input));
@@ -161,7 +161,7 @@ TEST_CASE("the points of a case are bounded by its elements", "[contact_files]")
     CHECK(possible.at(0).status == ContactFileStatus::solved);
     CHECK(possible[0].patches.at(0).blocks.at(0).points.size() == 9000);
     CHECK(refused.at(0).status == ContactFileStatus::refused);
-    CHECK_THAT(refused[0].sentence, ContainsSubstring("9900 points") && ContainsSubstring("max_elements"));
+    CHECK_THAT(refused[0].sentence, ContainsSubstring("9900 subsurface points") && ContainsSubstring("max_elements"));
 }
 
 TEST_CASE("a case names the file that it lacks", "[contact_files]") {
