@@ -51,10 +51,30 @@ class OpenFile {
     void note_change() const;
 
    private:
+    friend class MappedFile;
     static constexpr std::intptr_t none = -1;
     void close() noexcept;
 
     std::intptr_t handle_ = none;
+    std::error_code error_;
+};
+
+/// Maps a regular file into memory for reading during the lifetime of this object. The file must not be shortened
+/// meanwhile; renaming another file over it is safe.
+class MappedFile {
+   public:
+    explicit MappedFile(const std::filesystem::path& path);
+    ~MappedFile();
+    MappedFile(MappedFile&& other) noexcept;
+    MappedFile& operator=(MappedFile&&) = delete;
+
+    /// Returns the contents, which start at a multiple of 64 bytes, or nothing if the file is empty or not mapped.
+    std::span<const unsigned char> bytes() const { return bytes_; }
+    /// Returns the reason why the file is not mapped.
+    std::error_code error() const { return error_; }
+
+   private:
+    std::span<const unsigned char> bytes_{};
     std::error_code error_;
 };
 

@@ -1,6 +1,7 @@
 // Implements the platform for POSIX and Linux.
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -129,6 +130,28 @@ OpenFile::Lock OpenFile::try_lock() {
 void OpenFile::note_change() const {
     ::futimens(descriptor(handle_), nullptr);
 }
+
+MappedFile::MappedFile(const fs::path& path) {
+    const OpenFile file(path, OpenFile::Use::reading);
+    const std::optional<std::uintmax_t> size = file.is_open() ? file.size() : std::nullopt;
+    if (!size || !file.is_regular()) {
+        error_ = file.is_open() ? std::make_error_code(std::errc::invalid_argument) : file.error();
+        return;
+    }
+    if (*size == 0) return;
+    const auto length = static_cast<std::size_t>(*size);
+    void* const begin = ::mmap(nullptr, length, PROT_READ, MAP_SHARED, descriptor(file.handle_), 0);
+    if (begin == MAP_FAILED)
+        error_ = last_error();
+    else
+        bytes_ = {static_cast<const unsigned char*>(begin), length};
+}
+
+MappedFile::~MappedFile() {
+    if (!bytes_.empty()) ::munmap(const_cast<unsigned char*>(bytes_.data()), bytes_.size());
+}
+
+MappedFile::MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})), error_(other.error_) {}
 
 std::error_code rename_over(const fs::path& from, const fs::path& to) {
     std::error_code error;

@@ -162,6 +162,29 @@ void OpenFile::note_change() const {
     ::SetFileTime(of(handle_), nullptr, nullptr, &now);
 }
 
+MappedFile::MappedFile(const fs::path& path) {
+    const OpenFile file(path, OpenFile::Use::reading);
+    const std::optional<std::uintmax_t> size = file.is_open() ? file.size() : std::nullopt;
+    if (!size || !file.is_regular()) {
+        error_ = file.is_open() ? std::make_error_code(std::errc::invalid_argument) : file.error();
+        return;
+    }
+    if (*size == 0) return;
+    const HANDLE mapping = ::CreateFileMappingW(of(file.handle_), nullptr, PAGE_READONLY, 0, 0, nullptr);
+    void* const begin = mapping ? ::MapViewOfFile(mapping, FILE_MAP_READ, 0, 0, 0) : nullptr;
+    if (begin)
+        bytes_ = {static_cast<const unsigned char*>(begin), static_cast<std::size_t>(*size)};
+    else
+        error_ = last_error();
+    if (mapping) ::CloseHandle(mapping);  // the view keeps it
+}
+
+MappedFile::~MappedFile() {
+    if (!bytes_.empty()) ::UnmapViewOfFile(bytes_.data());
+}
+
+MappedFile::MappedFile(MappedFile&& other) noexcept : bytes_(std::exchange(other.bytes_, {})), error_(other.error_) {}
+
 std::error_code rename_over(const fs::path& from, const fs::path& to) {
     const bool done = ::MoveFileExW(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING | MOVEFILE_WRITE_THROUGH);
     return done ? std::error_code() : last_error();
