@@ -25,7 +25,8 @@ module contactd
 
     private :: version_c, code_name_c, last_error_c, last_field_c, last_reason_c, open_c, set_keys_c
     private :: set_c, set_word_c, set_array_c, clear_c, get_c, get_word_c, get_array_c, length_c, want_c, path_c
-    private :: set_table_c, get_frames_c, read_profile_c, strlen, text_of, copy_text
+    private :: set_table_c, get_frames_c, read_profile_c, creep_table_open_c, creep_table_info_c
+    private :: strlen, text_of, copy_text
 
 contains
 
@@ -145,6 +146,20 @@ contains
         type(c_ptr), intent(in) :: handle
         character(*), intent(in) :: path, file
         code = read_profile_c(handle, trim(path) // c_null_char, trim(file) // c_null_char)
+    end function
+    integer(c_int32_t) function contactd_creep_table_open(path, nu, table) result(code)
+        character(*), intent(in) :: path
+        real(c_double), intent(in) :: nu
+        type(c_ptr), intent(out) :: table
+        code = creep_table_open_c(trim(path) // c_null_char, nu, table)
+    end function
+    integer(c_int32_t) function contactd_creep_table_info(table, nu, ratios, text) result(code)
+        type(c_ptr), intent(in) :: table
+        real(c_double), intent(out) :: nu, ratios(2)
+        character(*), intent(out) :: text
+        character(c_char) :: buffer(len(text) + 1)
+        code = creep_table_info_c(table, nu, ratios, buffer, size(buffer, kind=c_int32_t))
+        call copy_text(code, buffer, text)
     end function
 
     function text_of(pointer) result(text)

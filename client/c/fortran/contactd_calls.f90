@@ -163,6 +163,30 @@ module contactd_calls
         integer(c_int32_t) function contactd_wheel_set_timeout(wheel, seconds) bind(c)
             import; type(c_ptr), value :: wheel; real(c_double), value :: seconds
         end function
+        integer(c_int32_t) function creep_table_open_c(path, nu, table) bind(c, name="contactd_creep_table_open")
+            import; character(c_char), intent(in) :: path(*); real(c_double), value :: nu
+            type(c_ptr), intent(out) :: table
+        end function
+        integer(c_int32_t) function contactd_creep_table_close(table) bind(c)
+            import; type(c_ptr), value :: table
+        end function
+        integer(c_int32_t) function creep_table_info_c(table, nu, ratios, text, size) &
+            bind(c, name="contactd_creep_table_info")
+            import; type(c_ptr), value :: table; real(c_double), intent(out) :: nu, ratios(2)
+            character(c_char), intent(out) :: text(*); integer(c_int32_t), value :: size
+        end function
+        integer(c_int32_t) function contactd_creep_table_forces(table, a, b, G, mu, Fn, creepages, forces, jacobian, &
+            bounds) bind(c)
+            import; type(c_ptr), value :: table; real(c_double), value :: a, b, G, mu, Fn
+            real(c_double), intent(in) :: creepages(3); real(c_double), intent(out) :: forces(3)
+            real(c_double), intent(out), optional :: jacobian(3, 3), bounds(2) ! jacobian(j, i): of force i by creepage j
+        end function
+        integer(c_int32_t) function contactd_creep_table_many(table, count, contacts, creepages, forces, jacobians, &
+            bounds) bind(c)
+            import; type(c_ptr), value :: table; integer(c_int32_t), value :: count
+            real(c_double), intent(in) :: contacts(5, *), creepages(3, *); real(c_double), intent(out) :: forces(3, *)
+            real(c_double), intent(out), optional :: jacobians(3, 3, *), bounds(2, *)
+        end function
         integer(c_size_t) function strlen(text) bind(c)
             import; type(c_ptr), value :: text
         end function

@@ -78,9 +78,10 @@ enum { CONTACTD_LOG_DEBUG = 0, CONTACTD_LOG_INFO = 1, CONTACTD_LOG_WARNING = 2, 
  * C++ requires C++11. Define CONTACTD_UNTYPED_HANDLES before the header to declare both as `void *`, as a program that
  * takes the address of a function may require. The libraries are the same. */
 
-typedef struct contactd_connection contactd_connection; /* a daemon, or this process */
-typedef struct contactd_contact contactd_contact;       /* one contact, step by step */
-typedef struct contactd_wheel contactd_wheel;           /* one wheel on its rail */
+typedef struct contactd_connection contactd_connection;   /* a daemon, or this process */
+typedef struct contactd_contact contactd_contact;         /* one contact, step by step */
+typedef struct contactd_wheel contactd_wheel;             /* one wheel on its rail */
+typedef struct contactd_creep_table contactd_creep_table; /* creep forces from a file */
 
 /* A pedantic compiler accepts the conversion to these unions only for functions of system headers. */
 #if defined(__GNUC__) && !defined(__cplusplus) && !defined(CONTACTD_UNTYPED_HANDLES)
@@ -98,12 +99,13 @@ typedef union {
 typedef void* contactd_handle;
 #endif
 
-/* A connection, a contact or a wheel. */
+/* A connection, a contact, a wheel or a table. */
 #ifdef CONTACTD_HANDLE_UNIONS
 typedef union {
     const contactd_connection* connection;
     const contactd_contact* contact;
     const contactd_wheel* wheel;
+    const contactd_creep_table* table;
 } contactd_any_handle __attribute__((__transparent_union__));
 #else
 typedef const void* contactd_any_handle;
@@ -144,7 +146,8 @@ CONTACTD_API const char* contactd_code_name(int32_t code);
  *
  * The last failure is that in this thread or, if no call failed in this thread, in any thread. A successful call does
  * not change it.
- * @param handle A connection, a contact or a wheel. With NULL or an invalid handle, the last failure in this thread.
+ * @param handle A connection, a contact, a wheel or a table. With a table, the last failure in this thread; with NULL
+ *     or an invalid handle, the last failure of any handle in this thread.
  * @return The code; CONTACTD_OK without a failure.
  */
 CONTACTD_API int32_t contactd_last_code(contactd_any_handle handle);
@@ -709,6 +712,89 @@ CONTACTD_API int32_t contactd_wheel_cancel(contactd_wheel* wheel);
  */
 CONTACTD_API int32_t contactd_wheel_set_timeout(contactd_wheel* wheel, double seconds);
 
+/* --- tables of creep forces -------------------------------------------------------------------------------------- */
+/* Interpolates creep forces of the full theory of steady rolling over ellipses, in less than a microsecond, from a
+ * file. A table covers quasi-identical elastic half-spaces, one coefficient of friction, and all creepages and spins.
+ * Its file states its errors. No daemon is needed, but the library that solves in process, libcontactd-local.
+ * Evaluation does not allocate memory and takes no lock, so any number of threads may use a table. */
+
+/**
+ * @brief Opens a table.
+ *
+ * The file is mapped into memory, and its digest is checked. It must not change while the table is open; to replace it,
+ * rename another file over it.
+ * @param path The file, in UTF-8.
+ * @param nu Poisson's ratio of the combined material. A table of several ratios is interpolated to this one.
+ * @param[out] table The table; NULL on failure.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
+ * @retval CONTACTD_INVALID_ARGUMENT The table does not cover this Poisson's ratio.
+ * @retval CONTACTD_NOT_FOUND The file cannot be read.
+ * @retval CONTACTD_DATA_LOSS The file is damaged, or not a table.
+ * @retval CONTACTD_FAILED_PRECONDITION A newer version of contactd wrote the file.
+ * @retval CONTACTD_UNIMPLEMENTED This library cannot solve in process.
+ */
+CONTACTD_API int32_t contactd_creep_table_open(const char* path, double nu, contactd_creep_table** table);
+
+/**
+ * @brief Closes a table.
+ * @param table The table, which no other thread may be using. It is invalid after this call.
+ * @return CONTACTD_OK, or one of the common errors.
+ */
+CONTACTD_API int32_t contactd_creep_table_close(contactd_creep_table* table);
+
+/**
+ * @brief Returns the range and the description of a table.
+ * @param table The table.
+ * @param[out] nu Poisson's ratio.
+ * @param[out] ratios Two numbers: the smallest and the largest a/b.
+ * @param[out] text The description in the file, JSON: versions, recipe, seed, points, and the statement about errors;
+ *     truncated to fit. May be NULL if `size` is 0.
+ * @param size Bytes of `text`, with the terminating zero; at least 0.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
+ * @retval CONTACTD_INVALID_ARGUMENT `size` is negative.
+ */
+CONTACTD_API int32_t contactd_creep_table_info(contactd_creep_table* table, double* nu, double* ratios, char* text,
+                                               int32_t size);
+
+/**
+ * @brief Returns the forces on the upper body in steady rolling along +x, with the signs of contacts.
+ * @param table The table.
+ * @param a Semi-axis of the contact along x (mm).
+ * @param b Semi-axis along y (mm).
+ * @param G Shear modulus of the combined material (N/mm^2).
+ * @param mu Coefficient of friction.
+ * @param Fn Normal force (N).
+ * @param creepages Three numbers: xi, eta, and the spin phi (1/mm).
+ * @param[out] forces Three numbers: Fx, Fy (N), Mz (N mm).
+ * @param[out] jacobian Nine numbers: derivatives of Fx by xi, eta, phi, then of Fy, then of Mz. May be NULL.
+ * @param[out] bounds Two numbers: bounds of the errors of Fx and Fy (N) and of Mz (N mm), NaN if the file states none.
+ *     May be NULL.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
+ * @retval CONTACTD_INVALID_ARGUMENT A number of the contact is not positive, the table does not cover a/b, or a creepage
+ *     is not finite.
+ */
+CONTACTD_API int32_t contactd_creep_table_forces(contactd_creep_table* table, double a, double b, double G, double mu,
+                                                 double Fn, const double* creepages, double* forces, double* jacobian,
+                                                 double* bounds);
+
+/**
+ * @brief Returns the forces of several contacts, each like contactd_creep_table_forces.
+ *
+ * The first invalid contact ends the call. The results of those before it are valid.
+ * @param table The table.
+ * @param count Number of contacts, at least 0. If it is 0, the other pointers may be NULL.
+ * @param contacts For each contact a, b, G, mu and Fn.
+ * @param creepages For each contact xi, eta and phi.
+ * @param[out] forces For each contact Fx, Fy and Mz.
+ * @param[out] jacobians For each contact nine derivatives. May be NULL.
+ * @param[out] bounds For each contact two bounds. May be NULL.
+ * @return CONTACTD_OK, one of the common errors, or one of these codes:
+ * @retval CONTACTD_INVALID_ARGUMENT A number is invalid; contactd_last_field names its row: "contacts[3].Fn".
+ */
+CONTACTD_API int32_t contactd_creep_table_many(contactd_creep_table* table, int32_t count, const double* contacts,
+                                               const double* creepages, double* forces, double* jacobians,
+                                               double* bounds);
+
 #ifdef __cplusplus
 }
 #endif
@@ -734,6 +820,10 @@ template <>
 struct contactd_not_any_handle<contactd_connection> {};
 template <>
 struct contactd_not_any_handle<const contactd_connection> {};
+template <>
+struct contactd_not_any_handle<contactd_creep_table> {};
+template <>
+struct contactd_not_any_handle<const contactd_creep_table> {};
 #define CONTACTD_REFUSE(function, others)      \
     template <class Other, class... Arguments> \
     typename others<Other>::type function(Other*, Arguments...) = delete;

@@ -95,6 +95,7 @@ static void print_line(void* user, int32_t level, const char* text) {
 void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
     char command[longest_text], where[longest_text];
     contactd_connection* connection = NULL;
+    contactd_creep_table* table = NULL;
     /* The library must stay loaded, because its threads may still run. */
     if (!mexIsLocked()) mexLock();
     if (nrhs < 1)
@@ -115,8 +116,14 @@ void mexFunction(int nlhs, mxArray* plhs[], int nrhs, const mxArray* prhs[]) {
         plhs[0] = made_handle(connection);
         return;
     }
+    if (!strcmp(command, "creep_table_open")) {
+        read_text(prhs[1], 2, where);
+        check(contactd_creep_table_open(where, number(0), &table));
+        plhs[0] = made_handle(table);
+        return;
+    }
     handle = handle_in(prhs[1], 2);
     if (!call_of_field(command, plhs) && !call_of_connection(command, plhs) && !call_of_steps(command, plhs) &&
-        !call_of_contact(command, nlhs, plhs) && !call_of_wheel(command))
+        !call_of_contact(command, nlhs, plhs) && !call_of_wheel(command) && !call_of_table(command, nlhs, plhs))
         mexErrMsgIdAndTxt("contactd:arguments", "There is no function '%s'.", command);
 }

@@ -121,6 +121,56 @@ static int call_of_wheel(const char* command) {
     return 0;
 }
 
+/* Forces of one contact or, as columns, of several: 3 x n, derivatives of force i by creepage j at (i, j, n), and
+ * bounds. */
+static void read_creep_forces(contactd_creep_table* t, int is_many, int nlhs, mxArray* plhs[]) {
+    const int creepages = is_many ? 1 : 5;
+    const int32_t count = is_many ? length(0) / 5 : 1;
+    const mwSize shape[3] = {3, 3, (mwSize)count};
+    mxArray* values[3];
+    double *jacobian, swapped;
+    int32_t n;
+    int i, j;
+    if ((is_many && length(0) != 5 * count) || length(creepages) != 3 * count)
+        mexErrMsgIdAndTxt("contactd:arguments", "Each contact has 5 numbers and 3 creepages, in one column.");
+    values[0] = mxCreateDoubleMatrix(3, (mwSize)count, mxREAL);
+    values[1] = mxCreateNumericArray(3, shape, mxDOUBLE_CLASS, mxREAL);
+    values[2] = mxCreateDoubleMatrix(2, (mwSize)count, mxREAL);
+    jacobian = mxGetPr(values[1]);
+    check(is_many ? contactd_creep_table_many(t, count, array(0), array(1), mxGetPr(values[0]), jacobian,
+                                              mxGetPr(values[2]))
+                  : contactd_creep_table_forces(t, number(0), number(1), number(2), number(3), number(4), array(5),
+                                                mxGetPr(values[0]), jacobian, mxGetPr(values[2])));
+    for (n = 0; n < count; ++n, jacobian += 9)
+        for (i = 0; i < 3; ++i)
+            for (j = 0; j < i; ++j) {
+                swapped = jacobian[3 * i + j];
+                jacobian[3 * i + j] = jacobian[3 * j + i];
+                jacobian[3 * j + i] = swapped;
+            }
+    for (i = 0; i < 3 && (i == 0 || i < nlhs); ++i) plhs[i] = values[i];
+}
+
+static int call_of_table(const char* command, int nlhs, mxArray* plhs[]) {
+    contactd_creep_table* t = (contactd_creep_table*)(uintptr_t)handle;
+    double nu = 0, ratios[2] = {0, 0};
+    char text[longest_text];
+    CALL(creep_table_close, t)
+    if (!strcmp(command, "creep_table_info")) { /* nu, the ends of a/b, and the description */
+        check(contactd_creep_table_info(t, &nu, ratios, text, longest_text));
+        plhs[0] = mxCreateDoubleScalar(nu);
+        if (nlhs > 1) {
+            plhs[1] = mxCreateDoubleMatrix(2, 1, mxREAL);
+            memcpy(mxGetPr(plhs[1]), ratios, sizeof ratios);
+        }
+        if (nlhs > 2) plhs[2] = mxCreateString(text);
+        return 1;
+    }
+    if (strcmp(command, "creep_table_forces") && strcmp(command, "creep_table_many")) return 0;
+    read_creep_forces(t, !strcmp(command, "creep_table_many"), nlhs, plhs);
+    return 1;
+}
+
 static int call_of_connection(const char* command, mxArray* plhs[]) {
     contactd_connection* c = (contactd_connection*)(uintptr_t)handle;
     contactd_contact* contact = NULL;

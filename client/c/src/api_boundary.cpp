@@ -1,5 +1,7 @@
 #include "api_boundary.hpp"
 
+#include "creep_tables.hpp"
+
 namespace contactd::c {
 
 Connections& connections() {
@@ -14,6 +16,11 @@ Contacts& contacts() {
 
 Wheels& wheels() {
     static auto* const all = new Wheels("wheel", 5);
+    return *all;
+}
+
+CreepTables& creep_tables() {
+    static auto* const all = new CreepTables;
     return *all;
 }
 

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "api_boundary.hpp"
+#include "creep_tables.hpp"
 
 namespace contactd::c {
 namespace {
@@ -12,7 +13,9 @@ Failure last_failure_of(const void* handle) {
     const auto contact = contacts().find_any(handle);
     const auto wheel = wheels().find_any(handle);
     const auto connection = connections().find_any(handle);
-    if (const Failure* mine = kept_failure(contact || wheel || connection ? handle : nullptr)) return *mine;
+    const bool table = creep_tables().holds(handle);  // Tables keep failures in the thread of the call only.
+    if (const Failure* mine = kept_failure(contact || wheel || connection || table ? handle : nullptr)) return *mine;
+    if (table) return {};
     return contact ? contact->last_failure() : wheel ? wheel->last_failure() : connection->last_failure();
 }
 

@@ -83,6 +83,26 @@ TEST_CASE("A handle that is none is refused by every function", "[c]") {
         }
 }
 
+TEST_CASE("A table that is none is refused by every function", "[c]") {
+    int elsewhere = 0;
+    double values[9] = {};
+    for (void* handle : {static_cast<void*>(nullptr), static_cast<void*>(&elsewhere)}) {
+        auto* const table = static_cast<contactd_creep_table*>(handle);
+        const std::int32_t codes[] = {
+            contactd_creep_table_close(table), contactd_creep_table_info(table, values, values, nullptr, 0),
+            contactd_creep_table_forces(table, 1, 1, 1, 1, 1, values, values + 3, nullptr, nullptr),
+            contactd_creep_table_many(table, 0, nullptr, nullptr, nullptr, nullptr, nullptr)};
+        for (const std::int32_t code : codes) CHECK(code == CONTACTD_INVALID_ARGUMENT);
+        CHECK(field() == "table");
+        CHECK(reason() == "NO_HANDLE");
+    }
+    contactd_creep_table* table = nullptr;
+    CHECK(contactd_creep_table_open("none.creep", 0.28, &table) ==
+          (contactd_has_local() ? CONTACTD_NOT_FOUND : CONTACTD_UNIMPLEMENTED));
+    CHECK(contactd_creep_table_open(nullptr, 0.28, &table) == CONTACTD_INVALID_ARGUMENT);
+    CHECK(field() == "path");
+}
+
 TEST_CASE("A connection that is none is refused", "[c]") {
     contactd_connection* closed = nullptr;
     contactd_contact* contact = reinterpret_cast<contactd_contact*>(&closed);
