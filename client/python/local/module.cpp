@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "contactd/version.hpp"
+#include "creep_tables.hpp"
 #include "lines.hpp"
 #include "service/in_process.hpp"
 
@@ -193,9 +194,9 @@ int clear_state(PyObject* module) {
 
 PyModuleDef_Slot slots[] = {{Py_mod_exec, reinterpret_cast<void*>(&fill)}, {0, nullptr}};
 PyModuleDef definition = {
-    PyModuleDef_HEAD_INIT, "contactd_local", "contactd's engine in process, for contactd.local().",
-    sizeof(State),         nullptr,          slots,
-    &visit_state,          &clear_state,     [](void* module) { clear_state(static_cast<PyObject*>(module)); }};
+    PyModuleDef_HEAD_INIT, "contactd_local",    "contactd's engine in process, for contactd.local().",
+    sizeof(State),         creep_table_methods, slots,
+    &visit_state,          &clear_state,        [](void* module) { clear_state(static_cast<PyObject*>(module)); }};
 
 }  // namespace
 }  // namespace contactd::python

@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace contactd {
@@ -33,10 +34,10 @@ struct CreepForces {
 /// cubic B-splines, and is built and read in these variables. Forces exceed mu Fn by the bound of the table at most.
 class CreepTable {
    public:
-    /// Maps the file at `path`, checks its digest, and reduces tables of several Poisson's ratios to `nu`. The file
-    /// must not change while a table is open; to replace it, rename another one over it. Throws InvalidArgument ("nu"),
-    /// DamagedTable, NewerFormat, and StoreError if the file cannot be read.
-    CreepTable(const std::filesystem::path& path, double nu);
+    /// Maps the file at `path`, checks its digest, and reduces tables of several Poisson's ratios to `nu`; without it,
+    /// to the first of the file. The file must not change while a table is open; to replace it, rename another one over
+    /// it. Throws InvalidArgument ("nu"), DamagedTable, NewerFormat, and StoreError if the file cannot be read.
+    explicit CreepTable(const std::filesystem::path& path, std::optional<double> nu = std::nullopt);
 
     /// Returns the forces in steady rolling along +x for creepages xi, eta and spin phi (1/mm), without allocation or
     /// locks. Throws InvalidArgument ("a", "b", "G", "mu", "Fn", "creepages"), also if the table does not hold a/b.

@@ -27,7 +27,7 @@ double dot(const Triple& row, const Triple& w) {
 
 }  // namespace
 
-CreepTable::CreepTable(const std::filesystem::path& path, double nu)
+CreepTable::CreepTable(const std::filesystem::path& path, std::optional<double> nu)
     : contents_(std::make_shared<const Contents>(path, nu)) {}
 
 std::array<double, 2> CreepTable::ratios() const {

@@ -68,8 +68,10 @@ std::span<const T> share(std::span<const T> arrays, std::size_t index, std::size
 
 }  // namespace
 
-CreepTable::Contents::Contents(const std::filesystem::path& path, double nu_)
-    : nu(nu_), mapped(map_file(path)), file(creep_table::parse_creep_file(mapped.bytes(), path.filename().string())) {
+CreepTable::Contents::Contents(const std::filesystem::path& path, std::optional<double> nu_)
+    : mapped(map_file(path)),
+      file(creep_table::parse_creep_file(mapped.bytes(), path.filename().string())),
+      nu(nu_.value_or(file.nu.front())) {
     spline.grid = file.grid;
     spline.curve_axis = file.curve_axis();
     spline.box = file.box;

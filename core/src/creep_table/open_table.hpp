@@ -1,6 +1,7 @@
 // Opens a creep-force table at one Poisson's ratio.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "contactd/creep_table.hpp"
@@ -12,13 +13,13 @@ namespace contactd {
 
 /// Owns what a table reads: the mapped file and, between the Poisson's ratios of the file, the interpolated arrays.
 struct CreepTable::Contents {
-    Contents(const std::filesystem::path& path, double nu_);
+    Contents(const std::filesystem::path& path, std::optional<double> nu_);
     Contents(const Contents&) = delete;
     Contents& operator=(const Contents&) = delete;
 
-    double nu;
     platform::MappedFile mapped;
     creep_table::CreepFile file;
+    double nu;
     std::vector<double> own_curves{};
     std::vector<float> own_coefficients{}, own_box_coefficients{};
     creep_table::CreepSpline spline{};
