@@ -44,7 +44,7 @@ for target in "${targets[@]}"; do
     fi
     echo "==> fuzzing $target for $seconds s" >&2
     dictionary=()
-    case $target in ic_file | ic_content | profile_file | contact_file) ;; *) dictionary=(-dict="$work/seeds/json.dict") ;; esac
+    case $target in creep_table | ic_file | ic_content | profile_file | contact_file) ;; *) dictionary=(-dict="$work/seeds/json.dict") ;; esac
     "$program" "${limits[@]}" "${dictionary[@]}" -max_total_time="$seconds" -print_final_stats=1 \
         -artifact_prefix="$work/found/$target-" "$work/corpus/$target" "$work/seeds/$target" "$kept" \
         >"$work/$target.log" 2>&1 || status=$?

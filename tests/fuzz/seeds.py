@@ -249,6 +249,20 @@ def ic_files() -> Iterator[bytes]:
         yield bytes(file.id.get_file_image())
 
 
+def creep_tables() -> Iterator[bytes]:
+    """Headers of creep-force tables as core/src/creep_table/file/file_header.hpp defines them, with a/b and creepages."""
+    none = (0, 0, 0, 0)
+    box = ((0.0, 1.2, 1.2, 0.8), (0.6, 1.9, 1.5707963267948966, 1.3))
+    for nu, cells, box_cells, bound_cells in [((0.28,), (4, 4, 4, 4), none, none), ((0.0, 0.25, 0.5), (4, 6, 4, 5), (4, 4, 4, 4), (1, 2, 1, 3))]:
+        sizes = (1, 0, 64, len(nu), 4, *cells, *box_cells, *bound_cells)
+        ranges = (-0.7, 0.7, 1.4, 0.17, 2, 0, *box[0], *box[1])
+        header = b"contactd creep-force table\n".ljust(32, b"\0") + struct.pack("<17Q", *sizes)
+        header += struct.pack("<22d", *ranges, *nu, *[0.0] * (8 - len(nu)))
+        states = [(0.1, 0, 0, 0), (0.1, 0.3, -0.2, 0.1), (-0.5, 0, 1, 0), (0.7, 0, 0, 0.4), (0, 1e-5, 0, 0), (0.2, 1e9, -1e9, 1e9)]
+        yield header.ljust(512, b"\0") + b"".join(struct.pack("<4d", *state) for state in states)
+        yield header
+
+
 def profile_files() -> Iterator[bytes]:
     """Returns a format's number, as profile_file.cpp reads it, and a rough wheel or rail in this format."""
     wheel = [(-68, 20), (-55, 28), (-41, 19), (-38, 11), (-30, 4), (-20, 1.6), (-10, 0.5), (0, 0), (20, -0.3), (40, -1.3), (60, -2.6)]
@@ -378,6 +392,7 @@ def main() -> None:
     kinds = {
         "request": requests, "session": sessions, "reply": replies, "array": arrays, "config": configurations,
         "ic_file": ic_files, "ic_content": ic_contents, "ic_import": ic_imports, "profile_file": profile_files,
+        "creep_table": creep_tables,
         "contact_file": contact_files, "outlines": outlines,
     }  # fmt: skip
     for target, inputs in kinds.items():
