@@ -18,6 +18,7 @@ from .commands import (
     completion,
     conform,
     contact,
+    creep_tables,
     dashboard,
     fit,
     info,
@@ -51,7 +52,7 @@ app = typer.Typer(
 )
 for family in (
     info, tables, solve, wheelrail, profile, profiles, conform, contact, compare, fit, session, jobs, watch, bench, dashboard,
-    keys, study, wear, completion,
+    keys, study, creep_tables, wear, completion,
 ):  # fmt: skip
     family.add_to(app)
 

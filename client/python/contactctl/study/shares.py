@@ -7,7 +7,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import click
 
@@ -15,10 +15,10 @@ from contactd.files.whole import read_whole
 
 from ..codes import Code, Ended
 from .journal import MOST_BYTES, rows_in
-from .plan import Case
 
 __all__ = ["Rows", "Share", "best", "check_ended", "rows_beside", "share_of"]
 
+Case = TypeVar("Case")
 Rows = dict[str, dict[str, Any]]  #: Rows by their keys.
 
 

@@ -15,7 +15,7 @@ _HDF5 = b"\x89HDF\r\n\x1a\n"
 _PIECE = 1 << 16  #: Number of bytes at both ends in which the mark is searched.
 _MOST_BYTES = 1 << 27  #: Largest size of a file that is searched completely.
 #: Marks of formats with their own: the first lines of printed results, of tables, and of their text.
-_OWN_MARKS = (b"|  contactd - ", b"contactd ic table, format ", b"sums over both bodies, times g = ", b"by contactctl ")
+_OWN_MARKS = (b"|  contactd - ", b"contactd ic table, format ", b"contactd creep-force table\n", b"sums over both bodies, times g = ", b"by contactctl ")
 #: Marks of a wear study's measures, and of the answers to its shares.
 _OWN_BEGINNINGS = (b'{\n "distance": [', b'{"study": "')
 _OF_ARCHIVES = (b"array.npy", b"evidence.npy", b"pair.npy")
