@@ -23,7 +23,7 @@ TYPES: dict[str, tuple[set[str], Any]] = {
     "Int32": ({"int32_t"}, ctypes.c_int32),
     "Cdouble": ({"double"}, ctypes.c_double),
     "Cstring": ({"const char*"}, ctypes.c_char_p),
-    "Ptr{Cvoid}": ({"void*", "const void*", "contactd_connection*", "contactd_contact*", "contactd_wheel*"}, ctypes.c_void_p),
+    "Ptr{Cvoid}": ({"contactd_any_handle", "contactd_handle", "contactd_connection*", "contactd_contact*", "contactd_wheel*"}, ctypes.c_void_p),
     "Ptr{Ptr{Cvoid}}": ({"contactd_wheel* const*"}, ctypes.POINTER(ctypes.c_void_p)),
     "Ref{Ptr{Cvoid}}": ({"contactd_connection**", "contactd_contact**", "contactd_wheel**"}, ctypes.POINTER(ctypes.c_void_p)),
     "Ptr{Cdouble}": ({"double*", "const double*"}, ctypes.POINTER(ctypes.c_double)),
