@@ -392,6 +392,12 @@ void check(const ContactProblem& problem, bool complete) {
 
 }  // namespace
 
+const SolutionFields all_solution_fields = [] {
+    SolutionFields all;
+    for (std::size_t field = 0; field < solution_arrays.size(); ++field) all.push_back(SolutionField(field));
+    return all;
+}();
+
 double step_length(const Rolling& rolling, const Grid& grid) {
     return rolling.dq != 0 ? rolling.dq : size_along(rolling.chi, grid.dx, grid.dy);
 }

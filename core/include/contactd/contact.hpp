@@ -177,12 +177,7 @@ enum class SolutionField {
 };
 /// Selects the arrays to include in an answer.
 using SolutionFields = std::vector<SolutionField>;
-inline const SolutionFields all_solution_fields = [] {
-    SolutionFields all;
-    for (int field = 0; field <= static_cast<int>(SolutionField::lower_temperature); ++field)
-        all.push_back(static_cast<SolutionField>(field));
-    return all;
-}();
+extern const SolutionFields all_solution_fields;
 
 /// Returns the length of one step (mm): dq, or size_along of the elements if dq is 0.
 double step_length(const Rolling& rolling, const Grid& grid);
