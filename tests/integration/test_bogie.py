@@ -68,7 +68,7 @@ def test_fmus_know_where_no_elastic_contact_is(bogie, shared, fmi):
             pass  # what came and went meanwhile hears nothing
         with pytest.raises(contactd.InvalidArgument, match="elastic contact allows"):
             wheels(4 * [state])
-    with pytest.raises(ValueError, match="says dq"):
+    with pytest.raises(ValueError, match="contains dq"):
         fmus(archive("contactd_wheel", fmi), [setups[0].replace(dq=0.5)])
 
 

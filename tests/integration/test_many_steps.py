@@ -37,7 +37,7 @@ def same(one, other):
         other.step, other.forces, other.approach, other.motion, other.area
     )  # fmt: skip
     for name in FIELDS:
-        array, expected = getattr(one, name), getattr(other, name)
+        array, expected = getattr(one, name, None), getattr(other, name, None)
         assert (array is None) == (expected is None)
         assert array is None or array.tobytes() == expected.tobytes()
 

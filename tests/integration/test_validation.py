@@ -147,5 +147,5 @@ def test_without_the_files_the_command_says_so_and_writes_nothing(tmp_path):
         [sys.executable, "-m", "validation", *words], capture_output=True, text=True, env=environment
     )
     assert ended.returncode == 1
-    assert "none/cases_given.json is not there" in ended.stderr
+    assert "none/cases_given.json is missing" in ended.stderr
     assert list(Path(tmp_path).iterdir()) == []

@@ -122,7 +122,7 @@ def test_a_family_is_a_folder_and_the_manchester_benchmark_is_one():
 
 
 def test_files_that_are_not_there_are_named(tmp_path):
-    with pytest.raises(FilesMissing, match=r"cases_given\.json is not there: .* --cases"):
+    with pytest.raises(FilesMissing, match=r"cases_given\.json is missing: .* --cases"):
         given_files(tmp_path)
     listed = [{"file": "a.inp", "reference": "a.ref_out"}, {"file": "b.inp", "reference": None}]
     (tmp_path / "cases_given.json").write_text(json.dumps({"files": listed}))
