@@ -21,7 +21,6 @@ namespace contactd::cases {
 namespace {
 
 constexpr int on_rails = 1;
-constexpr std::size_t points_of_element = 10;  // of all blocks below the contacts of a case
 
 int digit(const ContactCase& read, const char* name) {
     const auto found = read.digits.find(name);
@@ -101,9 +100,10 @@ std::vector<ContactFileBlock> blocks_below(const std::vector<GivenBlock>& given,
         const GivenBlock on_it = on_grid(one, solved.problem.grid);
         const std::size_t points = block_points(on_it, solved.problem.grid).size();
         if (points > left)
-            throw NotCovered(Subject::input, "A block has " + std::to_string(points) + " subsurface points, but " +
-                                                 std::to_string(left) +
-                                                 " remain for the case. Ten times max_elements points are accepted.");
+            throw NotCovered(
+                Subject::input,
+                "A block has " + std::to_string(points) + " subsurface points, but " + std::to_string(left) +
+                    " remain for the case. It may have ten times max_elements points, and 1000000 at most.");
         left -= points;
         SolvedBlock block = solve_block(on_it, solved, observer);
         blocks.push_back({std::move(block.points), std::move(block.displacement), std::move(block.stress)});
@@ -241,7 +241,7 @@ void CaseRun::solve_basic(const ContactCase& read, History& history, ProblemSolv
     outcome.warnings.insert(outcome.warnings.end(), warnings.begin(), warnings.end());
     Solved solved = solved_step(given, std::move(problem), reply.solution, last);
     ContactFilePatch contact = printed_contact(read, given, solved);
-    std::size_t left = points_of_element * input_.max_elements;
+    std::size_t left = most_block_points(input_.max_elements);
     contact.blocks = blocks_below(blocks, solved, left, asked_);
     outcome.numbers = contact.numbers;
     outcome.patches.push_back(std::move(contact));
@@ -269,7 +269,7 @@ void CaseRun::solve_on_rails(const ContactCase& read, History& history, ProblemS
     const std::vector<Extent> before = digit(read, "P") == again ? history.rows_before : history.rows;
     std::vector<Extent> rows;
     Solved solved;
-    std::size_t left = points_of_element * input_.max_elements;
+    std::size_t left = most_block_points(input_.max_elements);
     const auto take = [&](const WheelRailPatch& found) {
         show_patch(found, setup, state, solved);
         ContactFilePatch patch = printed_patch(found, setup, state, solution, solved);

@@ -2,6 +2,8 @@
 // An error in a case therefore affects its successors, but not other histories.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -26,6 +28,11 @@ class ProblemSolver {
     virtual WheelRailSolution solve(const WheelRailSetup& setup, const WheelRailState& state,
                                     WheelRailEstimates& estimates) = 0;
 };
+
+/// Returns the largest number of points of all blocks below the contacts of a case.
+constexpr std::size_t most_block_points(std::size_t max_elements) {
+    return std::min<std::size_t>(10 * max_elements, 1'000'000);
+}
 
 class CaseRun {
    public:

@@ -32,7 +32,8 @@ struct ContactFileInput {
     std::vector<std::size_t> cases{};  ///< indices of the requested cases, from 0, in ascending order; empty: all
     WheelSurfaceKind wheel_surface = WheelSurfaceKind::exact;
     /// Largest number of elements of a case of module 3, which is refused beyond it, and of a patch of module 1 in
-    /// steady rolling, which has larger elements beyond it. The blocks of a case have at most ten times as many points.
+    /// steady rolling, which has larger elements beyond it. The blocks of a case have at most ten times as many points,
+    /// and 1,000,000.
     std::size_t max_elements = 40'000;
 };
 

@@ -9,6 +9,7 @@
 #include "handlers.hpp"
 #include "jobs/job_reports.hpp"
 #include "methods/costs/cost_parts.hpp"
+#include "run/case_run.hpp"
 
 namespace contactd::server {
 namespace {
@@ -33,16 +34,15 @@ WorkCost cost_of_contact_file(const json& params, const Config&) {
 
 /// Returns the cost of reading, and of one case of the largest size, for which other cases wait.
 WorkCost cost_of_cases(const json& params, const Config& config) {
-    // Of an element of a contact, and of the ten points that it may have in subsurface blocks.
-    constexpr double bytes_of_element = 4000 + 10 * 250, seconds_of_element = 4e-5;
-    constexpr double copies_of_files = 3;
+    constexpr double bytes_of_element = 4000, seconds_of_element = 4e-5, bytes_of_point = 250, copies_of_files = 3;
     WorkCost cost = cost_of_text(params);
     if (const json* files = member(params, "files"))
         for (const json& file : *files)
             if (const json* text = member(file, "text"))
                 cost.bytes += copies_of_files * static_cast<double>(text->get_ref<const std::string&>().size());
-    const auto elements = static_cast<double>(max_elements_of(params, config));
-    cost.bytes += bytes_of_element * elements;
+    const std::size_t most = max_elements_of(params, config);
+    const auto elements = static_cast<double>(most);
+    cost.bytes += bytes_of_element * elements + bytes_of_point * static_cast<double>(cases::most_block_points(most));
     cost.seconds += std::max(params.value("seconds", 10.0), seconds_of_element * elements);
     return cost;
 }
