@@ -770,8 +770,8 @@ CONTACTD_API int32_t contactd_creep_table_info(contactd_creep_table* table, doub
  * @param[out] bounds Two numbers: bounds of the errors of Fx and Fy (N) and of Mz (N mm), NaN if the file states none.
  *     May be NULL.
  * @return CONTACTD_OK, one of the common errors, or one of these codes:
- * @retval CONTACTD_INVALID_ARGUMENT A number of the contact is not positive, the table does not cover a/b, or a creepage
- *     is not finite.
+ * @retval CONTACTD_INVALID_ARGUMENT A number of the contact is not positive, the table does not cover a/b, or a
+ *     creepage is not finite.
  */
 CONTACTD_API int32_t contactd_creep_table_forces(contactd_creep_table* table, double a, double b, double G, double mu,
                                                  double Fn, const double* creepages, double* forces, double* jacobian,
