@@ -24,17 +24,19 @@ Rises rises_of(const Grid& grid, const std::vector<double>& heights) {
     const auto nx = static_cast<std::size_t>(grid.nx), ny = static_cast<std::size_t>(grid.ny);
     const double excluded = 1e3 * std::max(grid.nx * grid.dx, grid.ny * grid.dy);
     Rises rises;
-    const auto add = [&](std::size_t from, std::size_t to, double size) {
-        if (std::abs(heights[from]) > excluded || std::abs(heights[to]) > excluded) return;
-        const double rise = std::abs(heights[to] - heights[from]) / size;
-        ++rises.count;
-        if (rise > 1) ++rises.steep;
-        rises.squares += rise * rise;
+    const auto add = [&](std::size_t first, std::size_t count, std::size_t to_next, double size) {
+        double squares = 0;
+        for (std::size_t i = first; i < first + count; ++i) {
+            if (std::abs(heights[i]) > excluded || std::abs(heights[i + to_next]) > excluded) continue;
+            const double rise = std::abs(heights[i + to_next] - heights[i]);
+            ++rises.count;
+            if (rise > size) ++rises.steep;
+            squares += rise * rise;
+        }
+        rises.squares += squares / (size * size);
     };
-    for (std::size_t i = 0; i < nx * ny; ++i) {
-        if (i % nx + 1 < nx) add(i, i + 1, grid.dx);
-        if (i + nx < nx * ny) add(i, i + nx, grid.dy);
-    }
+    for (std::size_t row = 0; row < ny; ++row) add(row * nx, nx - 1, 1, grid.dx);
+    add(0, nx * (ny - 1), nx, grid.dy);
     return rises;
 }
 
@@ -46,13 +48,13 @@ std::vector<std::string> height_warnings(const ContactProblem& problem, const Co
     const auto* heights = problem.gap ? std::get_if<std::vector<double>>(&*problem.gap) : nullptr;
     if (heights == nullptr) return {};
     const Rises rises = rises_of(problem.grid, *heights);
-    const std::string mean = plain_text(rises.mean()) + " mm per mm (root mean square)";
+    const auto mean = [&] { return plain_text(rises.mean()) + " mm per mm (root mean square)"; };
     if (2 * rises.steep > rises.count)
-        return {"gap rises by more than 45 degrees between most of its elements, by " + mean +
+        return {"gap rises by more than 45 degrees between most of its elements, by " + mean() +
                 ". Give heights in mm, not in micrometres."};
     if (rises.mean() > rounding && rises.mean() < flattest &&
         static_cast<std::size_t>(solution.elements.contact) == heights->size())
-        return {"gap rises by only " + mean + ", and all elements are in contact. Give heights in mm, not in m."};
+        return {"gap rises by only " + mean() + ", and all elements are in contact. Give heights in mm, not in m."};
     return {};
 }
 
