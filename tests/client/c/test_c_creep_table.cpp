@@ -48,15 +48,16 @@ constexpr double creepages[] = {1e-3, -2e-3, 3e-4};
 
 }  // namespace
 
-void* operator new(std::size_t size) {
+// Not inlined, because GCC takes a free() beside a new for a mistake.
+[[gnu::noinline]] void* operator new(std::size_t size) {
     ++allocations;
     if (void* const memory = std::malloc(size)) return memory;
     throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept {
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
     std::free(memory);
 }
-void operator delete(void* memory, std::size_t) noexcept {
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
     std::free(memory);
 }
 
