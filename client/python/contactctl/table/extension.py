@@ -56,4 +56,19 @@ def read_table(path: Path, nu: float | None, states: Reals) -> tuple[float, dict
         found, description, forces = extension.read_creep_table(str(path.absolute()), nu, np.ascontiguousarray(states).tobytes())
     except extension.Error as error:
         raise click.UsageError(str(error)) from None
-    return found, json.loads(description), np.frombuffer(forces).reshape(-1, 3)
+    return found, _described(description, path), np.frombuffer(forces).reshape(-1, 3)
+
+
+def _described(description: str, path: Path) -> dict[str, Any]:
+    """Returns the description of a table. Another program may have written it, with a right digest."""
+    try:
+        described: dict[str, Any] = json.loads(description)
+        (low, high), coarse_and_fine = described["ratios"], described["recipe"]["elements"]
+        (n, m), (finer_n, finer_m) = coarse_and_fine
+        numbers = [*described["nu"], *described["cells"], low, high, n, m, finer_n, finer_m, described["nodes"], described["unconverged"]]
+        is_known = described["program"].isprintable() and 0 < low < high and all(0 <= number < 1e12 for number in numbers)
+    except (ValueError, LookupError, TypeError, AttributeError, RecursionError):
+        is_known = False
+    if not is_known:
+        raise click.UsageError(f"{path.name} lacks the description that contactctl table build writes.")
+    return described

@@ -145,3 +145,16 @@ def test_files_that_are_no_tables_are_refused_by_name(lonely):
     assert ended.code == 2
     assert "contact.yaml is not a creep-force table" in ended.err
     assert "contactd did not write it" in lonely("table", "build", "contact.yaml", *SMALL).err
+
+
+@pytest.mark.parametrize("description", ["", "[]", "{}", "[" * 100_000, '{"nu": 1}', '{"ratios": [1, 2], "recipe": {"elements": "ab"}}'])
+def test_a_table_with_a_foreign_description_is_refused_by_name(lonely, description):
+    import contactd_local
+
+    forces = np.zeros((PLAN.nodes, 3)).tobytes()
+    file = str(lonely.folder / "foreign.creep")
+    contactd_local.write_creep_table(file, PLAN.ratios, PLAN.cells, np.array(PLAN.nu).tobytes(), forces, description.encode())
+    for words in (("show", "foreign.creep"), ("check", "foreign.creep", "--points", 10)):
+        ended = lonely("table", *words, **NOWHERE)
+        assert ended.code == 2
+        assert "foreign.creep lacks the description" in ended.err
