@@ -4,11 +4,12 @@ module answers
     use, intrinsic :: iso_fortran_env, only: int64
     implicit none
     private
-    public :: need, tell, tell_whole, digest, tell_array, tell_step, arrays
+    public :: need, tell, tell_whole, digest, tell_array, tell_step, arrays, sure_arrays
 
-    ! Arrays over the grid, of which a contact has all but the last and a wheel all.
-    character(16), parameter :: arrays(7) = [character(16) :: "element_division", "pressure", &
-        "traction_x", "traction_y", "slip_x", "slip_y", "gap"]
+    ! Arrays over the grid, of which every solution has the first, a contact may have all but the last, and a wheel all.
+    integer, parameter :: sure_arrays = 6
+    character(20), parameter :: arrays(8) = [character(20) :: "element_division", "pressure", &
+        "traction_x", "traction_y", "slip_x", "slip_y", "pressure_by_approach", "gap"]
 
 contains
 
@@ -96,7 +97,7 @@ contains
     subroutine tell_arrays(contact)
         type(c_ptr), intent(in) :: contact
         integer :: which
-        do which = 1, 6
+        do which = 1, size(arrays) - 1
             call tell_one(which)
         end do
 
@@ -104,11 +105,13 @@ contains
 
         subroutine tell_one(which)
             integer, intent(in) :: which
-            integer(c_int32_t) :: elements
+            integer(c_int32_t) :: elements, code
             real(c_double), allocatable :: array(:)
-            call need(contactd_length(contact, arrays(which), elements))
+            call need(contactd_length(contact, "pressure", elements))
             allocate (array(elements))
-            call need(contactd_get_array(contact, arrays(which), array, elements))
+            code = contactd_get_array(contact, arrays(which), array, elements)
+            if (which <= sure_arrays) call need(code)
+            if (code /= contactd_ok) array = 0
             call tell_array(array, which == 1)
         end subroutine
     end subroutine

@@ -31,9 +31,9 @@ static void tell_fields(contactd_contact* contact, const char* path, int count_o
 static void tell_arrays(contactd_contact* contact) {
     for (int which = 0; which < contact_arrays; ++which) {
         int32_t elements = 0;
-        if (contactd_length(contact, arrays[which], &elements) != CONTACTD_OK) exit(3);
+        if (contactd_length(contact, "pressure", &elements) != CONTACTD_OK) exit(3);
         double* array = values(elements);
-        if (contactd_get_array(contact, arrays[which], array, elements) != CONTACTD_OK) exit(3);
+        if (contactd_get_array(contact, arrays[which], array, elements) != CONTACTD_OK && which < sure_arrays) exit(3);
         which == 0 ? tell_division(array, elements) : tell_digest(array, elements);
         free(array);
     }

@@ -86,7 +86,7 @@ contains
             call need(contactd_new(place, contact))
             refused = contactd_ok
             name = word(1)
-            do array = 1, 6
+            do array = 1, size(arrays) - 1
                 call need(contactd_want(contact, arrays(array), 1))
             end do
         case ("start", "step", "again", "save", "restore", "forget")

@@ -37,7 +37,8 @@ class Teller {
         whole(static_cast<long long>(s.warnings.size()));
         digest(warnings, [](char c) { return std::vector<std::uint64_t>{static_cast<unsigned char>(c)}; });
         digest(s.element_division, [](ElementState e) { return std::vector{static_cast<std::uint64_t>(e)}; });
-        for (const auto* array : {&s.pressure, &s.traction_x, &s.traction_y, &s.slip_x, &s.slip_y})
+        for (const auto* array :
+             {&s.pressure, &s.traction_x, &s.traction_y, &s.slip_x, &s.slip_y, &s.pressure_by_approach})
             digest(array->empty() ? std::vector<double>(grid.size()) : *array, [](double value) {
                 const auto bits = std::bit_cast<std::uint64_t>(value);
                 return std::vector{bits >> 32u, bits & 0xFFFFFFFFu};

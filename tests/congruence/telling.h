@@ -35,10 +35,11 @@ static uint64_t digest(uint64_t so_far, uint64_t more) {
     return (so_far * 65599 + more) % 4294967291u;
 }
 
-/* Lists arrays over the grid, of which a contact has the first and a wheel all. */
-static const char* const arrays[] = {"element_division", "pressure", "traction_x", "traction_y",
-                                     "slip_x",           "slip_y",   "gap"};
-enum { contact_arrays = 6, wheel_arrays = 7 };
+/* Lists arrays over the grid, of which every solution has the first, a contact may have all but the last, and a wheel
+ * all. */
+static const char* const arrays[] = {"element_division", "pressure", "traction_x",           "traction_y",
+                                     "slip_x",           "slip_y",   "pressure_by_approach", "gap"};
+enum { sure_arrays = 6, contact_arrays = 7, wheel_arrays = 8 };
 
 static void tell_division(const double* division, int32_t elements) {
     uint64_t sum = 0;

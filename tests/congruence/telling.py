@@ -23,7 +23,7 @@ from contactd import Rolling
 
 __all__ = ["ARRAYS", "told"]
 
-ARRAYS = ("element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y")
+ARRAYS = ("element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "pressure_by_approach")
 #: Inputs by which an answer may have derivatives, in order; shifts are pairs, and treated separately.
 INPUTS = (("xi",), ("eta",), ("phi", "rotation"), ("approach", "Fn"), ("mu",))
 

@@ -96,7 +96,8 @@ class WheelTeller {
         std::uint64_t sum = 0;
         for (const ElementState state : s.element_division) digest(sum, static_cast<std::uint64_t>(state));
         std::printf(" %" PRIu64, sum);
-        for (const auto* array : {&s.pressure, &s.traction_x, &s.traction_y, &s.slip_x, &s.slip_y, &patch.gap}) {
+        for (const auto* array :
+             {&s.pressure, &s.traction_x, &s.traction_y, &s.slip_x, &s.slip_y, &s.pressure_by_approach, &patch.gap}) {
             sum = 0;
             for (const double value : array->empty() ? std::vector<double>(patch.place.grid.size()) : *array) {
                 const auto bits = std::bit_cast<std::uint64_t>(value);

@@ -204,7 +204,7 @@ def replies() -> Iterator[bytes]:
         "approach": 0.1, "forces": {"Fn": 1, "Fx": 0, "Fy": 0, "Mz": 0}, "pmax": 1,
         "area": {"contact": 1, "adhesion": 0, "slip": 1}, "elements": {"contact": 1, "adhesion": 0, "slip": 1, "border": 0},
         "element_division": {"$array": {"frame": 1, "dtype": "|u1", "shape": [1, 1]}}, "warnings": [], "converged": True,
-        **{name: array(2, 1, 1) for name in ("pressure", "traction_x", "traction_y")},
+        **{name: array(2, 1, 1) for name in ("pressure", "traction_x", "traction_y", "pressure_by_approach")},
         "evidence": {
             "normal": statistics, "derivatives": statistics, "ics": {"upper": use, "lower": use},
             "operators": {"made": True, "bytes": 2, "budget_bytes": 1},
@@ -215,7 +215,7 @@ def replies() -> Iterator[bytes]:
     yield reply({"solutions": [{"status": {"code": 0, "name": "OK", "message": ""}, "result": solution}]}, b"\2", bytes(8))
     step = {**solution, "step": 1, "evidence": {"normal": statistics}}
     yield reply({**step, "element_division": {"$array": {"frame": 1, "dtype": "|u1", "shape": [1, 2]}},
-                 **{name: array(2, 1, 2) for name in ("pressure", "traction_x", "traction_y")}}, b"\2\2", bytes(16))
+                 **{name: array(2, 1, 2) for name in ("pressure", "traction_x", "traction_y", "pressure_by_approach")}}, b"\2\2", bytes(16))
     yield reply({"session": "0" * 32, "lease_seconds": 60, "step": 0, "bytes": 1, "ics": {"upper": use}})
     stress = {name: array(1, 1) for name in ("xx", "yy", "zz", "xy", "xz", "yz")}
     largest = {"von_mises": 0, "x": 0, "y": 0, "z": -1, "depth": 1}

@@ -297,8 +297,9 @@ CONTACTD_API int32_t contactd_length(contactd_handle handle, const char* path, i
  * The arrays are "pressure", "traction_x", "traction_y", "slip_x", "slip_y" and "element_division". With
  * "displacements" set, there are also "displacement_x", "displacement_y" and "displacement_z". A layer that yields
  * has "flow_x", "flow_y" and "yield_stress", velocity-weakening friction has "friction_coefficient". With
- * "temperature" set, there are "upper_temperature" and "lower_temperature". Wheels with the model full also have
- * "gap", the undeformed distances.
+ * "temperature" set, there are "upper_temperature" and "lower_temperature". The model full has "pressure_by_approach"
+ * (N/mm^3) with "derivatives" set, for wheels "state.derivatives". Wheels with the model full also have "gap", the
+ * undeformed distances.
  * @param handle A contact or a wheel.
  * @param array Name of an array.
  * @param requested 1: return the array; 0, the default: omit it.

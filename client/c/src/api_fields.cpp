@@ -73,6 +73,8 @@ std::vector<double> read_numbers(Object& object, const FieldPath& path, const vo
         object.require(static_cast<SolutionField>(array));
     if (!numbers->empty()) return *numbers;
     if (array == gap) throw nothing_of("undeformed distances: a simplified model solved it");
+    if (static_cast<SolutionField>(array) == SolutionField::pressure_by_approach)
+        throw nothing_of("derivative of its pressures");
     return std::vector<double>(elements_of(object, path, root));
 }
 

@@ -124,7 +124,7 @@ int Client::delete_ic(const std::string& key, const CallOptions& options) {
 
 namespace {
 
-/// All arrays of an answer have the size of the grid; only slip and displacements may be missing.
+/// All arrays of an answer have the size of the grid; only slip, and arrays of requested results, may be missing.
 void check_size(const SolveReply& reply, const ContactProblem& problem, const SolutionFields& fields) {
     const ContactSolution& solution = reply.solution;
     const auto check = [&](SolutionField field, const char* what, std::size_t size) {
@@ -145,6 +145,8 @@ void check_size(const SolveReply& reply, const ContactProblem& problem, const So
         check(SolutionField::upper_temperature, "temperatures of the upper surface", solution.upper_temperature.size());
         check(SolutionField::lower_temperature, "temperatures of the lower surface", solution.lower_temperature.size());
     }
+    if (solution.derivatives && problem.model == Model::full)
+        check(SolutionField::pressure_by_approach, "derivatives of pressures", solution.pressure_by_approach.size());
     if (!problem.friction) return;
     check(SolutionField::slip_x, "slips along x", solution.slip_x.size());
     check(SolutionField::slip_y, "slips along y", solution.slip_y.size());

@@ -145,7 +145,10 @@ struct ContactSolution {
     std::optional<Motion> motion;                         ///< requested, or determined by a prescribed force
     std::optional<double> upper_speed;                    ///< speed of wheels on rails, as in the problem (mm/s)
     std::optional<Derivatives> derivatives;               ///< if requested and converged, with contact
-    std::vector<std::string> warnings;                    ///< messages for the user of the solution
+    /// Holds the derivative of the pressure by the approach (N/mm^3), zero outside the contact, together with
+    /// `derivatives`; it is empty for simplified models. Its sum times the area of an element is dFn/d(approach).
+    std::vector<double> pressure_by_approach;
+    std::vector<std::string> warnings;  ///< messages for the user of the solution
     ContactEvidence evidence;
 
     /// Returns whether every solver that ran reached its tolerance. Derivatives are not considered, because those that
@@ -173,7 +176,8 @@ enum class SolutionField {
     yield_stress,
     friction_coefficient,
     upper_temperature,
-    lower_temperature
+    lower_temperature,
+    pressure_by_approach
 };
 /// Selects the arrays to include in an answer.
 using SolutionFields = std::vector<SolutionField>;

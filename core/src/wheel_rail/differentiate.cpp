@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/motion/creepages.hpp"
+#include "wheel_rail/patch_derivatives.hpp"
 #include "wheel_rail/resultants.hpp"
 #include "wheel_rail/right_wheel.hpp"
 
@@ -108,12 +109,7 @@ class Differences {
     /// Computes derivatives through the creepages of each contact; returns false if these are not available.
     bool by_creepages(WheelRailDerivatives::ByVelocity& derivatives) {
         if (!fine_.friction) return true;  // Nothing depends on the motion.
-        if (state_.motion != WheelRailMotion::steady_rolling) return false;
-        const std::optional<InterfacialLayer>& layer = fine_.friction->layer;
-        if (layer && layer->yields()) return false;
-        if (fine_.friction->kinetic || fine_.friction->follows_temperature() ||
-            fine_.rigid_slip != RigidSlipKind::plane || fine_.conformal != Conformal::off)
-            return false;
+        if (!acts_through_creepages(fine_, state_)) return false;
         wheel_.set_velocity(state_.velocity);
         for (CandidatePatch& found : wheel_.position().candidates(solution_.z)) {
             if (!wheel_.position().measure(found, solution_.z)) continue;
@@ -164,6 +160,7 @@ class Differences {
 void differentiate(RightWheel& wheel, WheelRailSolution& solution, Observer& observer) {
     if (solution.in_contact() && solution.converged()) {
         solution.derivatives = Differences(wheel, solution, observer).find();
+        differentiate_pressures(wheel, solution, observer);
         return;
     }
     solution.warnings.emplace_back(solution.in_contact() ? "The solution did not converge, so it has no derivatives."

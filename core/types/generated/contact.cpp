@@ -12,8 +12,8 @@ namespace {
     [[maybe_unused]] const auto& [approach_, forces_, resultant_, pmax_, area_, elements_, element_division_, pressure_,
                                   traction_x_, traction_y_, slip_x_, slip_y_, flow_x_, flow_y_, yield_stress_,
                                   friction_coefficient_, displacement_x_, displacement_y_, displacement_z_,
-                                  upper_temperature_, lower_temperature_, temperature_, wear_, fatigue_,
-                                  rolling_resistance_, elastic_energy_, frictional_work_, frictional_power_,
+                                  upper_temperature_, lower_temperature_, pressure_by_approach_, temperature_, wear_,
+                                  fatigue_, rolling_resistance_, elastic_energy_, frictional_work_, frictional_power_,
                                   plastic_work_, plastic_power_, largest_flow_, motion_, upper_speed_, derivatives_,
                                   warnings_, evidence_] = all;
 }
@@ -98,6 +98,7 @@ const FieldType& type_of<ContactSolution>() {
         fields::custom_field<&ContactSolution::displacement_z>("displacement_z"),
         fields::custom_field<&ContactSolution::upper_temperature>("upper_temperature"),
         fields::custom_field<&ContactSolution::lower_temperature>("lower_temperature"),
+        fields::custom_field<&ContactSolution::pressure_by_approach>("pressure_by_approach"),
         fields::field<&ContactSolution::temperature>("temperature"),
         fields::field<&ContactSolution::wear>("wear"),
         fields::field<&ContactSolution::fatigue>("fatigue"),

@@ -4,21 +4,23 @@
 
 namespace contactd {
 
-constexpr std::array<std::vector<double> ContactSolution::*, 15> solution_arrays{nullptr,
-                                                                                 &ContactSolution::pressure,
-                                                                                 &ContactSolution::traction_x,
-                                                                                 &ContactSolution::traction_y,
-                                                                                 &ContactSolution::slip_x,
-                                                                                 &ContactSolution::slip_y,
-                                                                                 &ContactSolution::displacement_x,
-                                                                                 &ContactSolution::displacement_y,
-                                                                                 &ContactSolution::displacement_z,
-                                                                                 &ContactSolution::flow_x,
-                                                                                 &ContactSolution::flow_y,
-                                                                                 &ContactSolution::yield_stress,
-                                                                                 &ContactSolution::friction_coefficient,
-                                                                                 &ContactSolution::upper_temperature,
-                                                                                 &ContactSolution::lower_temperature};
+constexpr std::array<std::vector<double> ContactSolution::*, 16> solution_arrays{
+    nullptr,
+    &ContactSolution::pressure,
+    &ContactSolution::traction_x,
+    &ContactSolution::traction_y,
+    &ContactSolution::slip_x,
+    &ContactSolution::slip_y,
+    &ContactSolution::displacement_x,
+    &ContactSolution::displacement_y,
+    &ContactSolution::displacement_z,
+    &ContactSolution::flow_x,
+    &ContactSolution::flow_y,
+    &ContactSolution::yield_stress,
+    &ContactSolution::friction_coefficient,
+    &ContactSolution::upper_temperature,
+    &ContactSolution::lower_temperature,
+    &ContactSolution::pressure_by_approach};
 
 constexpr std::array<HistoryArray, 5> history_arrays{
     HistoryArray{"pressure", &SurfaceState::pressure, &ContactSolution::pressure},

@@ -236,9 +236,14 @@ TEST_CASE("Results of a contact are read by their paths", "[c]") {
     CHECK(contactd_get(contact, "frictional_work", &value) == CONTACTD_NOT_FOUND);
     CHECK(contactd_get_array(contact, "pressure", &value, 1) == CONTACTD_FAILED_PRECONDITION);
     require_ok(contactd_want(contact, "pressure", 1), contact);
+    require_ok(contactd_want(contact, "pressure_by_approach", 1), contact);
     CHECK(contactd_want(contact, "gap", 1) == CONTACTD_INVALID_ARGUMENT);
     require_ok(contactd_step(contact), contact);
     CHECK(get_array(contact, "pressure").size() == elements);
+    CHECK(get_array(contact, "pressure_by_approach").size() == elements);
+    set(contact, "derivatives", 0);
+    require_ok(contactd_step(contact), contact);
+    CHECK(contactd_get_array(contact, "pressure_by_approach", &value, 1) == CONTACTD_NOT_FOUND);
 }
 
 TEST_CASE("An id of a contact stands for an input and for the result of the same name", "[c]") {

@@ -56,6 +56,17 @@ TEST_CASE("equations are solved to the tolerance", "[derivatives]") {
     if (equations.symmetric) CHECK((space.solution(1) - space.sums(1)).norm() <= 1e-12 * space.sums(1).norm());
 }
 
+TEST_CASE("leading components of solutions are kept", "[derivatives]") {
+    const Example equations(40);
+    KrylovSpace space({[&](const Vector& x, Vector& y) { y = equations.matrix * x; },
+                       [](const Vector& r, Vector& z, int) { z = r; }, false, Vector::LinSpaced(40, 1, 2),
+                       Matrix::Identity(40, 40), 15});
+    space.solve({{linear, linear.norm(), Vector::Zero(40)}, {square, square.norm(), Vector::Zero(40)}}, {1e-9},
+                equations.observer);
+    CHECK((space.solution(0) - space.sums(0).head(15)).norm() <= 1e-12 * space.sums(0).norm());
+    CHECK((space.solution(1) - space.sums(1).head(15)).norm() <= 1e-12 * space.sums(1).norm());
+}
+
 TEST_CASE("a right-hand side that others span takes no further step", "[derivatives]") {
     const Example equations(40, GENERATE(false, true));
     const KrylovSpace two = equations.solved({linear, square}, {1e-9});

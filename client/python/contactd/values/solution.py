@@ -31,8 +31,8 @@ __all__ = [
 ]
 
 ALL_FIELDS: tuple[str, ...] = get_args(Field)
-#: Arrays that a solution may lack: slip requires friction, displacements and temperatures must be requested, and the state
-#: of friction requires a law with one.
+#: Arrays that a solution may lack: slip requires friction, displacements, temperatures and derivatives must be requested,
+#: and the state of friction requires a law with one.
 OPTIONAL_ARRAYS = frozenset(one.name for one in dataclass_fields(Solution) if one.name in ALL_FIELDS and one.default is None)
 S = TypeVar("S", bound="ContactSolution")
 

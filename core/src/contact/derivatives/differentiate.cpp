@@ -20,8 +20,9 @@ using Table = DerivativeTable;
 using Right = KrylovSpace::Right;
 
 // These are relative tolerances of the linear equations, for the residual of right-hand sides or the change of forces
-// in a step.
-constexpr double residual_tolerance = 2e-5, coupled_tolerance = 1e-6, change_tolerance = 2e-5;
+// in a step. Pressures err by several times their residual at the edge of the contact.
+constexpr double residual_tolerance = 2e-5, pressure_tolerance = 1e-7, coupled_tolerance = 1e-6,
+                 change_tolerance = 2e-5;
 // This tolerance applies if the error of forces is its square.
 constexpr double symmetric_tolerance = 7e-4;
 // The slipping part counts as at least this much, because the effect of friction is a difference, which is then small.
@@ -43,12 +44,20 @@ class Differentiation {
         return table_;
     }
 
+    // Returns the derivative of the pressure of each element by the approach.
+    std::vector<double> pressure_by_approach() {
+        std::vector<double> by_approach(problem_.grid.size());
+        contact_.paste(dp_, by_approach);
+        return by_approach;
+    }
+
     SolverEvidence evidence() const { return {iterations_, residual_, converged_, stopwatch_.seconds()}; }
 
    private:
     // Solves for similar bodies, whose pressures depend only on the approach.
     void find_one_by_one() {
-        const Vector dp = press(), dg = contact_.bound_of_pressure(dp);
+        dp_ = press();
+        const Vector dg = contact_.bound_of_pressure(dp_);
         if (!problem_.friction) return;
         const Vector friction = contact_.bound_of_friction();
         if (contact_.tractions() == 0) {
@@ -87,7 +96,7 @@ class Differentiation {
             solve({[this](const Vector& p, Vector& u) { contact_.normal(p, u); },
                    [this](const Vector& r, Vector& z, int) { contact_.precondition_normal(r, z); }, true, ones,
                    contact_.element_area() * ones},
-                  {{ones, ones.norm(), Vector::Zero(1)}}, {residual_tolerance});
+                  {{ones, ones.norm(), Vector::Zero(1)}}, {pressure_tolerance});
         table_.values[Table::Fn][Table::approach] = space.sums(0)[0];
         return space.solution(0);
     }
@@ -114,12 +123,13 @@ class Differentiation {
         const KrylovSpace space =
             solve({[this](const Vector& p, Vector& u) { contact_.all(p, u); },
                    [this](const Vector& r, Vector& z, int step) { contact_.precondition_all(r, z, step); }, false,
-                   contact_.weights_of_all(), contact_.forces_of_all()},
+                   contact_.weights_of_all(), contact_.forces_of_all(), pressures},
                   rights, {coupled_tolerance, change_tolerance, change_of_all()});
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const Vector sums = space.sums(i);
             table_.values[Table::Fn][columns[i]] = sums[0];
             take(columns[i], sums.tail(3));
+            if (columns[i] == Table::approach) dp_ = space.solution(i);
         }
     }
 
@@ -204,6 +214,7 @@ class Differentiation {
     FrozenContact contact_;
     Observer& observer_;
     DerivativeTable table_;
+    Vector dp_;  // by the approach
     double residual_ = 0;
     int iterations_ = 0;
     bool converged_ = true;
@@ -226,6 +237,7 @@ void differentiate(const ContactProblem& problem, const ContactInfluence& influe
     solution.evidence.derivatives = differentiation.evidence();
     if (solution.evidence.derivatives->converged) {
         solution.derivatives = named(table, problem);
+        solution.pressure_by_approach = differentiation.pressure_by_approach();
         return;
     }
     solution.warnings.push_back(

@@ -7,8 +7,8 @@
 
 namespace contactd {
 
-/// Adds `derivatives` and their evidence to a converged solution of the solvers, whose slip is in mm. If the equations
-/// do not reach their tolerance, or without contact, adds only a warning. Throws Cancelled.
+/// Adds `derivatives`, `pressure_by_approach` and their evidence to a converged solution of the solvers, whose slip is
+/// in mm. If the equations do not reach their tolerance, or without contact, adds only a warning. Throws Cancelled.
 void differentiate(const ContactProblem& problem, const ContactInfluence& influence, Observer& observer,
                    ContactSolution& solution);
 

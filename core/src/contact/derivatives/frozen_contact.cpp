@@ -205,6 +205,14 @@ FrozenContact::Vector FrozenContact::tangential_residual() {
     return free_of(out_);
 }
 
+void FrozenContact::paste(const Vector& dp, Values& whole) {
+    take_pressures(dp);
+    if (is_whole_)
+        whole = p_;
+    else
+        restriction_.paste(p_, whole);
+}
+
 void FrozenContact::normal(const Vector& dp, Vector& result) {
     take_pressures(dp);
     influence_.normal(p_, u_);

@@ -88,6 +88,9 @@ class FrozenContact {
     Forces forces_of_bound(const Vector& dg);
     double element_area() const { return grid_.element_area(); }
 
+    // Copies dp to the elements of the problem's grid; values outside the contact do not change.
+    void paste(const Vector& dp, Values& whole);
+
    private:
     Values crop(std::span<const double> whole) const;
     void take_law(const ContactSolution& solution);

@@ -21,9 +21,10 @@ constexpr double rounding = 1e-7;
 KrylovSpace::KrylovSpace(LinearEquations equations)
     : equations_(std::move(equations)),
       size_(equations_.weights.size()),
-      most_(std::clamp(kept_values / std::max<Eigen::Index>(size_, 1), fewest_steps, most_steps)),
+      kept_(equations_.symmetric ? size_ : equations_.kept),
+      most_(std::clamp(kept_values / std::max<Eigen::Index>(size_ + equations_.kept, 1), fewest_steps, most_steps)),
       images_(size_, 0),
-      directions_(size_, 0),
+      directions_(kept_, 0),
       direction_sums_(equations_.outputs.cols(), 0),
       step_(size_),
       image_(size_) {}
@@ -82,7 +83,7 @@ void KrylovSpace::make_room() {
     if (count_ < images_.cols()) return;
     const Eigen::Index columns = std::min(std::max<Eigen::Index>(16, 2 * count_), most_);
     images_.conservativeResize(size_, columns);
-    if (equations_.symmetric) directions_.conservativeResize(size_, columns);
+    directions_.conservativeResize(kept_, columns);
     direction_sums_.conservativeResize(direction_sums_.rows(), columns);
     shares_.conservativeResize(columns, shares_.cols());
 }
@@ -101,7 +102,7 @@ bool KrylovSpace::add_step(Eigen::Index right) {
     const double left = equations_.symmetric ? std::sqrt(std::max(step_.dot(image_), 0.0)) : image_.norm();
     if (!(image_.norm() > dependent * length && left > 0)) return false;
     images_.col(count_) = image_ / left;
-    if (equations_.symmetric) directions_.col(count_) = step_ / left;
+    directions_.col(count_) = step_.head(kept_) / left;
     direction_sums_.col(count_) = step_sums_ / left;
     use_newest();
     ++count_;
@@ -109,11 +110,11 @@ bool KrylovSpace::add_step(Eigen::Index right) {
 }
 
 void KrylovSpace::make_orthogonal(double length) {
-    const auto images = images_.leftCols(count_), directions = directions_.leftCols(equations_.symmetric ? count_ : 0);
+    const auto images = images_.leftCols(count_), directions = directions_.leftCols(count_);
     for (int pass = 0; pass < 2; ++pass) {
         const Vector shares = (equations_.symmetric ? directions : images).transpose() * image_;
         image_.noalias() -= images * shares;
-        if (equations_.symmetric) step_.noalias() -= directions * shares;
+        step_.head(kept_).noalias() -= directions * shares;
         step_sums_.noalias() -= direction_sums_.leftCols(count_) * shares;
         if (image_.norm() > cancelled_digits * length) return;
     }

@@ -20,6 +20,7 @@ struct LinearEquations {
     bool symmetric = false;
     Vector weights;           // > 0; they measure residuals
     Eigen::MatrixXd outputs;  // columns c: the sums c . x
+    Eigen::Index kept = 0;    // number of leading components of the solutions that are kept; symmetric: all are
 };
 
 // Makes steps of the preconditioner for each right-hand side in turn; all right-hand sides use them. The combination of
@@ -56,7 +57,7 @@ class KrylovSpace {
     int steps() const { return static_cast<int>(count_); }
     // Returns the sums of one right-hand side.
     Vector sums(std::size_t right) const { return sums_.col(static_cast<Eigen::Index>(right)); }
-    // Returns x itself, for symmetric equations only.
+    // Returns the components of x that are kept.
     Vector solution(std::size_t right) const;
 
    private:
@@ -75,10 +76,10 @@ class KrylovSpace {
     void make_room();
 
     const LinearEquations equations_;
-    const Eigen::Index size_, most_;
+    const Eigen::Index size_, kept_, most_;
     Eigen::Index count_ = 0;
-    // Columns are the images of directions under the matrix, the directions, which only symmetric equations need, their
-    // sums, and, in rows, their shares in the solutions. Images are orthonormal, or directions conjugate.
+    // Columns are the images of directions under the matrix, the kept components of the directions, their sums, and, in
+    // rows, their shares in the solutions. Images are orthonormal, or directions conjugate.
     Matrix images_, directions_, direction_sums_, shares_;
     Matrix residuals_, sums_;  // for the right-hand sides; residuals weighted unless symmetric
     std::vector<State> states_;

@@ -445,6 +445,7 @@
 #define CONTACTD_PATH_DISPLACEMENT_Z "displacement_z"
 #define CONTACTD_PATH_UPPER_TEMPERATURE "upper_temperature"
 #define CONTACTD_PATH_LOWER_TEMPERATURE "lower_temperature"
+#define CONTACTD_PATH_PRESSURE_BY_APPROACH "pressure_by_approach"
 #define CONTACTD_PATH_TEMPERATURE_LARGEST "temperature.largest"             /* degC */
 #define CONTACTD_PATH_TEMPERATURE_X "temperature.x"                         /* mm */
 #define CONTACTD_PATH_TEMPERATURE_Y "temperature.y"                         /* mm */
@@ -1130,6 +1131,7 @@
 #define CONTACTD_PATH_PATCHES_SOLUTION_DISPLACEMENT_Z "patches[%d].solution.displacement_z"
 #define CONTACTD_PATH_PATCHES_SOLUTION_UPPER_TEMPERATURE "patches[%d].solution.upper_temperature"
 #define CONTACTD_PATH_PATCHES_SOLUTION_LOWER_TEMPERATURE "patches[%d].solution.lower_temperature"
+#define CONTACTD_PATH_PATCHES_SOLUTION_PRESSURE_BY_APPROACH "patches[%d].solution.pressure_by_approach"
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE "patches[%d].solution.temperature"
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_LARGEST "patches[%d].solution.temperature.largest" /* degC */
 #define CONTACTD_PATH_PATCHES_SOLUTION_TEMPERATURE_X "patches[%d].solution.temperature.x"             /* mm */

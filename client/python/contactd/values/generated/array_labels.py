@@ -23,4 +23,5 @@ ARRAY_LABELS = {
     "friction_coefficient": ("coefficient of friction", "1"),
     "upper_temperature": ("temperature of the upper surface", "degC"),
     "lower_temperature": ("temperature of the lower surface", "degC"),
+    "pressure_by_approach": ("derivative of the pressure by the approach", "N/mm^3"),
 }

@@ -109,8 +109,8 @@ class ContactProblem(ProblemMethods, Saved):
             kinetic friction and prescribed tangential forces require. The default limit is 100 iterations.
         upper_ics: Influence coefficients of the upper body, if they differ from `ics`; a table is that of this body.
         lower_ics: Influence coefficients of the lower body. If both this and `lower` are None, those of the upper body.
-        derivatives: True to compute the derivatives of the forces by motion, load and friction. Refused for transient
-            rolling of several steps, and with kinetic friction.
+        derivatives: True to compute the derivatives of the forces by motion, load and friction, and that of the
+            pressures by the approach. Refused for transient rolling of several steps, and with kinetic friction.
         columns: Shape of a surface that is curved along y. Rows of the grid are columns of elements of the lower body,
             dy is their arc length, and the axes of an element are those of its column. Requires model full and an array
             of distances along the columns' normals as the gap. The section's axes are y to the right, z up, x towards

@@ -41,7 +41,7 @@ __all__ = [
     "WearRow",
 ]
 
-Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress", "friction_coefficient", "upper_temperature", "lower_temperature"]
+Field = Literal["element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y", "yield_stress", "friction_coefficient", "upper_temperature", "lower_temperature", "pressure_by_approach"]
 
 
 @dataclass(frozen=True)
@@ -438,6 +438,11 @@ class Solution(SolutionMethods, Saved, Shown):
         upper_temperature: Temperature of the upper body's surface, in the contact and behind it, shape [ny, nx]
             (degrees Celsius). Only if requested.
         lower_temperature: Temperature of the lower body's surface, as upper_temperature.
+        pressure_by_approach: Derivative of the pressure by the approach at constant motion, shape [ny, nx] (N/mm^3),
+            zero outside the contact. Its sum times the area of an element is derivatives.Fn.approach, or
+            1/derivatives.approach.Fn for a prescribed normal force. It includes the effect of the tractions of
+            dissimilar bodies. For wheels on rails, the approach is that of the patch, along its normal; curved patches
+            do not have this array. Only with derivatives and model full.
         temperature: The largest temperatures, and the heat. Only if requested.
         wear: Wear of the surfaces in one passage. Only if requested.
         fatigue: Rolling contact fatigue of a body. Only if requested.
@@ -489,6 +494,7 @@ class Solution(SolutionMethods, Saved, Shown):
     displacement_z: Array | None = None
     upper_temperature: Array | None = None
     lower_temperature: Array | None = None
+    pressure_by_approach: Array | None = None
     temperature: ContactTemperature | None = None
     wear: ContactWear | None = None
     fatigue: ContactFatigue | None = None

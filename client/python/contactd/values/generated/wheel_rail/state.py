@@ -149,7 +149,8 @@ class WheelRailState(Saved):
         time_step: Duration of a step that is not steady (s), >= 1e-30. A shift requires it and has the velocities for
             this time. Transient rolling covers the distance of the rolling velocity. If None, transient rolling covers
             dq of the set-up.
-        derivatives: True to compute derivatives of the forces by position and velocity.
+        derivatives: True to compute derivatives of the forces by position and velocity, and those of the pressures of
+            each patch by its approach.
         displacements: True to compute displacements and elastic energies of the patches, as in contact.solve.
     """
 

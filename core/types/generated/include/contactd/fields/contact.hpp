@@ -24,10 +24,10 @@ static_assert(static_cast<int>(ErrorSource::hertz) == 0);
 static_assert(static_cast<int>(ErrorSource::estimate) == 1);
 
 template <>
-inline constexpr auto enum_words<SolutionField> =
-    std::to_array<std::string_view>({"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y",
-                                     "displacement_x", "displacement_y", "displacement_z", "flow_x", "flow_y",
-                                     "yield_stress", "friction_coefficient", "upper_temperature", "lower_temperature"});
+inline constexpr auto enum_words<SolutionField> = std::to_array<std::string_view>(
+    {"element_division", "pressure", "traction_x", "traction_y", "slip_x", "slip_y", "displacement_x", "displacement_y",
+     "displacement_z", "flow_x", "flow_y", "yield_stress", "friction_coefficient", "upper_temperature",
+     "lower_temperature", "pressure_by_approach"});
 static_assert(static_cast<int>(SolutionField::element_division) == 0);
 static_assert(static_cast<int>(SolutionField::pressure) == 1);
 static_assert(static_cast<int>(SolutionField::traction_x) == 2);
@@ -43,6 +43,7 @@ static_assert(static_cast<int>(SolutionField::yield_stress) == 11);
 static_assert(static_cast<int>(SolutionField::friction_coefficient) == 12);
 static_assert(static_cast<int>(SolutionField::upper_temperature) == 13);
 static_assert(static_cast<int>(SolutionField::lower_temperature) == 14);
+static_assert(static_cast<int>(SolutionField::pressure_by_approach) == 15);
 
 template <>
 const FieldType& type_of<ContactProblem>();

@@ -9,7 +9,7 @@
 namespace contactd {
 
 /// Arrays of numbers in the order of SolutionField; null for the element division.
-extern const std::array<std::vector<double> ContactSolution::*, 15> solution_arrays;
+extern const std::array<std::vector<double> ContactSolution::*, 16> solution_arrays;
 
 /// Arrays that a step passes on to the next, in the order of SurfaceState.
 extern const std::array<HistoryArray, 5> history_arrays;
