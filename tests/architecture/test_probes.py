@@ -158,7 +158,7 @@ def with_history(tmp_path: Path) -> EditedTree:
     with tree.schema("definitions") as definitions:
         fields = definitions["definitions"]["fields"]
         fields["maxItems"] += 1
-        fields["items"]["enum"].insert(-2, "probe")
+        fields["items"]["enum"].insert(-3, "probe")
     tree.replace("core/include/contactd/contact_load.hpp", ("    bool empty() const {", "    std::vector<double> probe{};\n\n    bool empty() const {"))
     enumerators = ("    friction_coefficient,\n    upper", "    friction_coefficient,\n    probe,\n    upper")
     tree.replace("core/include/contactd/contact.hpp", ("    std::vector<double> friction_coefficient;\n", "    std::vector<double> friction_coefficient, probe;\n"), enumerators)
