@@ -55,6 +55,17 @@ TEST_CASE("A contact of a wheel that has not been found is not refused for its m
         }
 }
 
+TEST_CASE("Derivatives with friction cost the memory of their linear equations") {
+    json params = problem({{"G", 82000}, {"nu", 0.28}}, {{"G", 20000}, {"nu", 0.1}});
+    const auto bytes = [&](bool derivatives) {
+        params["derivatives"] = derivatives;
+        return cost_of_solve(params, defaults()).bytes;
+    };
+    CHECK(bytes(true) == bytes(false));
+    params["friction"] = {{"mu", 0.3}, {"rolling", {{"xi", 1e-3}}}};
+    CHECK(bytes(true) > 1.3 * bytes(false));
+}
+
 TEST_CASE("Costs of longitudinally uniform bodies count those that have strips, and steps of their own tables") {
     const json rigid = {{"rigid", true}}, half_space = {{"G", 82000}, {"nu", 0.28}};
     const auto bytes = [](const json& params) { return cost_of_solve(params, defaults()).bytes; };

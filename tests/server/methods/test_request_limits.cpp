@@ -78,4 +78,6 @@ TEST_CASE("An answer has the arrays that the fields of its request allow") {
     CHECK(arrays() == 13);
     params["temperature"] = json::object();
     CHECK(arrays() == 15);
+    params["derivatives"] = true;
+    CHECK(arrays() == 16);
 }

@@ -22,6 +22,7 @@ constexpr double bytes_of_rolling = 2600;        // in addition, the changes ove
 constexpr double bytes_of_simplified = 400;      // closed forms, which have fields and no operators
 constexpr double bytes_of_answer = 150;          // all fields, as arrays of an answer and its frames
 constexpr double bytes_of_displacements = 100;   // the same, and the arrays that are summed
+constexpr double bytes_of_derivatives = 1000;    // with friction: steps of their linear equations
 constexpr double bytes_of_friction_state = 500;  // the state of layers and memory, and its arrays in an answer
 // Viscoelastic bodies have tables of offsets of both signs, their symbols, and directions of the normal problem.
 constexpr double bytes_of_creep = 3000;
@@ -76,6 +77,7 @@ WorkCost cost_of_solve(const json& params, const Config& config) {
     const json* kinetic = friction != nullptr ? member(*friction, "kinetic") : nullptr;
     if (friction != nullptr && (friction->contains("layer") || (kinetic != nullptr && kinetic->contains("memory"))))
         bytes += elements * bytes_of_friction_state;
+    if (friction != nullptr && params.value("derivatives", false)) bytes += elements * bytes_of_derivatives;
     if (params.value("displacements", false)) bytes += elements * bytes_of_displacements;
     return {bytes_beside + bytes + elements * bytes_of_answer, seconds};
 }
