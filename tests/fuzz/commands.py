@@ -1,5 +1,5 @@
-"""Fuzzes the commands that read untrusted files: contact, wear and study, with damaged files, malicious names and
-signals.
+"""Fuzzes the commands that read untrusted files: contact, wear, study, conform and profile, with damaged files,
+malicious names and signals.
 
     commands.py [SECONDS] [SEED] runs for this time (default 60); findings are stored in
     build/fuzz/found/commands-SEED-N
@@ -29,7 +29,7 @@ LONGEST_END = 2.0  #: s from a signal
 SLACK = 3.0  #: s, for a machine that does other things, too
 SECRET = b"SECRET-7a61f0"
 FOREIGN = b"notes of somebody, 1, 2\n"
-CODES = {0, 2, 3, 4, 5, 7, 8}
+CODES = {0, 2, 3, 4, 5, 7, 8, 9}
 OF_SIGNALS = {signal.SIGINT: 130, signal.SIGTERM: 143, signal.SIGHUP: 129}
 
 CASE = """\
@@ -78,6 +78,10 @@ FILES = {
     "energy: {coefficient: 0.000675}}\nuntil: 10\nstep: {depth: 0.01}\n",
     "states.csv": "position.y, velocity.x, velocity.pitch, Fz, weight, group\n-1.5, 30000, -65.217, 80000, 0.4, straight\n"
     "1, 30000, -65.217, 80000, 0.4, straight\n",
+    "run.csv": "distance (m); Yr (kN); Yl; Qr (kN); Ql (kN)\n" + "".join(f"{x},5; {20 + x % 7}; -4000; 60; 55\n" for x in range(20)),
+    "RUIC519A.dat": "".join(f"{y} {0.05 * y - 2 * max(0, -30 - y)}\n" for y in range(-44, 41)),
+    "SUIC519A.dat": "".join(f"{y} {-y * y / 600 - 5 * max(0, abs(y) - 30)}\n" for y in range(-34, 35)),
+    "ben_E1.dat": "1 0.05\n2 0.05\n",
 }  # fmt: skip
 #: Words of a command, the files that it reads, and some that it writes.
 COMMANDS = [
@@ -87,6 +91,9 @@ COMMANDS = [
     (["contact", "convert", "cases.inp", "cases.py"], ["cases.inp", "rail.prr"], ["cases.py"]),
     (["study", "study.yaml", "--csv", "rows.csv"], ["study.yaml", "problem.yaml", "gap.csv"], ["study.yaml.rows", "rows.csv"]),
     (["wear", "wear.yaml", "--fresh", "--profiles", "worn"], ["wear.yaml", "states.csv"], ["wear.yaml.h5", "worn/wheel.prw"]),
+    (["conform", "en14363", "run.csv", "--csv", "means.csv"], ["run.csv"], ["means.csv"]),
+    (["conform", "en15302", ".", "--csv", "rows.csv"], ["RUIC519A.dat", "SUIC519A.dat", "ben_E1.dat"], ["rows.csv"]),
+    (["profile", "convert", "rail.txt", "rail.ban", "--rail"], ["rail.txt"], ["rail.ban"]),
 ]
 CHARACTERS = [" ", "\n", "\r\n", '"', "'", "1", ",", "\t", "{", "[", "- ", "#", "%", "\0", "\x1b[2J", "é", "&a ", "*a", ": "]
 NAMES = ["../other/secret.txt", "OTHER/secret.txt", "link.txt", "/etc/passwd", "/dev/zero", "..\\other\\secret.txt", "'", "\n", "a\nimport os\n"]

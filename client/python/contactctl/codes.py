@@ -32,7 +32,7 @@ class Code(IntEnum):
     """The result of a command."""
 
     DONE = 0
-    DEFECT = 1  #: An unexpected error: a full disk, or a defect. For `conform`: values outside their limits.
+    DEFECT = 1  #: An unexpected error: a full disk, or a defect.
     USAGE = 2  #: The command line, or a named file, is invalid.
     CONNECTION = 3  #: No daemon answers, or it is stopping, or does not accept the key.
     REFUSED = 4  #: The daemon refuses the request.
@@ -40,6 +40,7 @@ class Code(IntEnum):
     CANCELLED = 6  #: Another client cancelled the job.
     TIMEOUT = 7  #: no answer within --timeout
     FAILED = 8  #: The daemon failed: a build, or a defect.
+    OUTSIDE = 9  #: There is an answer, but a value lies outside the limits of a standard.
     HUNG_UP = 129  #: SIGHUP
     INTERRUPTED = 130  #: Ctrl-C
     PIPE = 141  #: The reader of the output has closed it.

@@ -59,11 +59,11 @@ class Bar:
             return
         if self._bars is None:
             columns = (
-                TextColumn("{task.description}"),
+                TextColumn("{task.description}", markup=False),
                 BarColumn(bar_width=30),
                 TextColumn("{task.percentage:>3.0f} %"),
                 TimeElapsedColumn(),
-                TextColumn("{task.fields[stage]}  {task.fields[remark]}"),
+                TextColumn("{task.fields[stage]}  {task.fields[remark]}", markup=False),
             )
             self._bars = Bars(*columns, console=console(stderr=True), transient=True, refresh_per_second=5)
             self._task = self._bars.add_task(self._what, total=1.0, stage=stage, remark=remark)

@@ -49,7 +49,7 @@ def en15302(
 ) -> None:  # fmt: skip
     """Check equivalent conicities against the benchmark of EN 15302:2008.
 
-    Exit code 1: a conicity lies outside its tolerance.
+    Exit code 9: a conicity lies outside its tolerance.
     """
     if own == bool(folders):
         raise click.UsageError("Give the folders with the profiles and values of the benchmark, or --own.")
@@ -66,7 +66,7 @@ def en15302(
     given = {"inside": sum(row.is_inside for row in rows), "total": len(rows), "rows": [dict(zip(_CONICITY_COLUMNS, one)) for one in cells]}
     emit(setting().json, given, *_shown_conicities(rows))
     if outside := [f"{row.combination} at {number(row.amplitude)} mm" for row in rows if not row.is_inside]:
-        raise Ended(Code.DEFECT, f"{len(outside)} of {len(rows)} conicities lie outside their tolerances: {_first(outside)}.")
+        raise Ended(Code.OUTSIDE, f"{len(outside)} of {len(rows)} conicities lie outside their tolerances: {_first(outside)}.")
 
 
 def en14363(
@@ -81,13 +81,14 @@ def en14363(
 ) -> None:  # fmt: skip
     """Check Y/Q and the sums of lateral forces of a run, as means over 2 m (EN 14363).
 
-    Exit code 1: a quantity exceeds its limit.
+    Exit code 9: a quantity exceeds its limit.
     """
     _check_outputs(plot, table, _RUN_COLUMNS)
     limit = nadal_limit(math.radians(flange_angle), mu) if ratio_limit is None else ratio_limit
     if not limit > 0:
         raise click.UsageError(f"--mu {mu:g}: Nadal's limit for a flange of {flange_angle:g} degrees is {limit:.3g}; give a smaller friction coefficient.")
-    run = read_run(file, is_outwards=outwards)
+    with Bar("run") as bar:
+        run = read_run(file, is_outwards=outwards, on_progress=lambda share: bar.show(share, f"reading {file.name}"))
     try:
         found = assessed(run, RunLimits(limit, axle_load, track_factor))
     except ValueError as error:
@@ -98,7 +99,7 @@ def en14363(
         save_picture(Path(plot), draw_run(found), dpi=130)
     emit(setting().json, {"quantities": [_as_json(one) for one in found]}, *_shown_run(found))
     if outside := [one.name for one in found if not one.is_inside]:
-        raise Ended(Code.DEFECT, f"{len(outside)} of {len(found)} quantities exceed their limits: {_first(outside)}.")
+        raise Ended(Code.OUTSIDE, f"{len(outside)} of {len(found)} quantities exceed their limits: {_first(outside)}.")
 
 
 def _check_outputs(plot: str | None, table: Path | None, columns: Sequence[str]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import click
@@ -30,12 +30,12 @@ _NAME = re.compile(r"(?P<name>[^()\[\]]+?)\s*(?:[(\[](?P<unit>[^()\[\]]*)[)\]])?
 _FORCE = re.compile(r"([YQ][rl])(.*)")
 
 
-def read_run(file: Path, *, is_outwards: bool) -> Run:
+def read_run(file: Path, *, is_outwards: bool, on_progress: Callable[[float], None] = lambda _: None) -> Run:
     """Returns the run in a table with the columns `distance`, or `time` and `speed`, and Yr, Yl, Qr, Ql, followed by the
     name of a wheelset if there are several. A unit may follow in brackets. `is_outwards`: Y is positive towards the
-    field side of both wheels. Raises click.UsageError.
+    field side of both wheels. `on_progress` receives the fraction read. Raises click.UsageError.
     """
-    columns = _columns(file)
+    columns = _columns(file, on_progress)
     distance = _distance(file, columns)
     wheelsets = {match.group(2): None for name in columns if (match := _FORCE.fullmatch(name)) is not None}
     if not wheelsets:
@@ -74,10 +74,11 @@ def _needed(file: Path, columns: Mapping[str, Array], name: str) -> Array:
     return columns[name]
 
 
-def _columns(file: Path) -> dict[str, Array]:
+def _columns(file: Path, on_progress: Callable[[float], None]) -> dict[str, Array]:
     """Returns the columns of distance, time, speed and forces in contactd's units; others are ignored."""
     try:
-        names, rows = table_of(read_whole(file, _MOST_BYTES).decode("utf-8-sig"))
+        on_progress(0.0)
+        names, rows = table_of(read_whole(file, _MOST_BYTES).decode("utf-8-sig"), lambda share: on_progress(share / 2))
     except OSError as error:
         raise click.UsageError(f"{file} cannot be read: {error.strerror or error}.") from None
     except UnicodeDecodeError:
@@ -86,6 +87,7 @@ def _columns(file: Path) -> dict[str, Array]:
         raise click.UsageError(f"{file} contains no table: {error}.") from None
     found: dict[str, Array] = {}
     for index, heading in enumerate(names):
+        on_progress(0.5 + index / len(names) / 2)
         name, factor = _named(file, heading)
         if factor is None:
             continue

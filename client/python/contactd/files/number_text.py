@@ -7,10 +7,11 @@ from __future__ import annotations
 import csv
 import re
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 
 __all__ = ["number_in", "rows_of", "table_of"]
 
+_LINES_OF_REPORT = 20000
 _COMMENTS = re.compile("[#%!]")
 _BLANKS_AND_SEMICOLONS = re.compile(r"\s*;\s*|\s+")
 _ALL = re.compile(r"\s*[;,]\s*|\s+")
@@ -50,17 +51,21 @@ def rows_of(text: str) -> list[list[float]]:
     return rows
 
 
-def table_of(text: str) -> tuple[list[str], list[tuple[int, list[str]]]]:
+def table_of(text: str, on_progress: Callable[[float], None] | None = None) -> tuple[list[str], list[tuple[int, list[str]]]]:
     """Returns the names in the first line, and the cells of the other lines with their line numbers. Decimal fractions
     have points.
 
     Separators are semicolons or tabs if the first line has one, otherwise commas. Comment signs inside quotation marks
-    are text. Raises ValueError with the line, also if a column has no name or a repeated one.
+    are text. `on_progress` receives the fraction read. Raises ValueError with the line, also if a column has no name or
+    a repeated one.
     """
     names: list[str] = []
     rows: list[tuple[int, list[str]]] = []
-    between = ","
+    between, done = ",", 0
     for number, line in _lines(text, keeps_quotes=True):
+        done += len(line) + 1
+        if on_progress is not None and number % _LINES_OF_REPORT == 0:
+            on_progress(min(1.0, done / len(text)))
         if not names:
             between = next((sign for sign in ";\t" if sign in line), ",")
         try:

@@ -97,6 +97,15 @@ def test_tables_of_runs_have_units_and_several_wheelsets(tmp_path):
     assert list(read_run(file, is_outwards=True).wheelsets[0].Yl) == [2000, 2500]
 
 
+def test_reading_a_long_run_reports_its_progress(tmp_path):
+    file = tmp_path / "run.csv"
+    file.write_text("distance,Yr,Yl,Qr,Ql\n" + "".join(f"{x},1,1,1,1\n" for x in range(50_000)))
+    seen = []
+    read_run(file, is_outwards=False, on_progress=seen.append)
+    assert seen == sorted(seen)
+    assert len(seen) >= 6 and 0 == seen[0] < seen[1] < 0.5 <= seen[-1] < 1
+
+
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [
