@@ -4,6 +4,7 @@ conicity.
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +12,8 @@ import numpy.typing as npt
 
 from ..errors import invalid
 from .placed import StudyPlace, WheelRailClient
-from .points import check_gauge_side, check_run, crossing, ordered
+from ..calls.answer_warnings import give
+from .points import check_gauge_side, check_head, check_run, crossing, ordered
 from .steps import WornStep
 from .study import WearStudy
 
@@ -23,6 +25,8 @@ _BACK = -70.0  #: Default y of the flange's back from the tape circle (mm).
 _BELOW_TREAD = 10.0  #: Depth below the tape circle at which the flange is measured (mm).
 _BELOW_TIP = 2.0  #: Height above the flange's tip at which qR ends (mm).
 _GAUGE = 14.0  #: Depth below the top of a rail at which its side is measured (mm).
+_HEAD = 40.0  #: Height of a head (mm), more than any vertical wear.
+_GAINED = 0.5  #: Negative wear (mm) that errors of measurement do not explain.
 
 
 @dataclass(frozen=True)
@@ -67,6 +71,8 @@ def wheel_gauge(points: npt.ArrayLike, back: float = _BACK) -> WheelGauge:
     if y[tip] > 0 and z[tip] - tread > _BELOW_TREAD:
         raise invalid("points", f"have the flange at y = {y[tip]:.4g} mm, but y points to the field side: reverse the sign of y")
     check_run(np.column_stack([y, z])[tip:], "points")
+    if z[tip] - tread < _BELOW_TREAD < tread - z.min():
+        raise invalid("points", f"rise to z = {z.min():.4g} mm at y = {y[z.argmin()]:.4g}, but z points downwards, to the tip of the flange: reverse the sign of z")
     below, above = tread + _BELOW_TREAD, float(z[tip]) - _BELOW_TIP
     if not above > below:
         raise invalid("points", f"have a flange of {z[tip] - tread:.4g} mm, but its thickness is measured {_BELOW_TREAD:g} mm below the tape circle")
@@ -77,15 +83,18 @@ def wheel_gauge(points: npt.ArrayLike, back: float = _BACK) -> WheelGauge:
 def rail_wear(new: npt.ArrayLike, worn: npt.ArrayLike) -> RailWear:
     """Measures (y, z) of both profiles, each from either end to the other, with the gauge side at negative y, z down
     (mm). Raises InvalidArgument for unordered points, and for rails whose inclination or wear shows a gauge side at
-    positive y.
+    positive y, upside down, in other units or in different coordinates. Warns of rails that have grown.
     """
     before, after = ordered(new, "new"), ordered(worn, "worn")
     for name, points in (("new", before), ("worn", after)):
+        check_head(points, name)
         check_run(points[points[:, 1] <= points[:, 1].min() + _GAUGE], name)
     check_gauge_side(before, after, _GAUGE)
     top = float(before[:, 1].min())
     middle = float(before[before[:, 1] <= top + 0.01, 0].mean())
     W1 = float(np.interp(middle, *after.T) - np.interp(middle, *before.T))
+    if not abs(W1) <= _HEAD:
+        raise invalid("worn", f"lies {abs(W1):.4g} mm {'below' if W1 > 0 else 'above'} new; give both profiles with the same origin")
     sides = []
     for points in (before, after):
         gauge = points[points[:, 0] <= middle][::-1]  # from the top down
@@ -94,7 +103,17 @@ def rail_wear(new: npt.ArrayLike, worn: npt.ArrayLike) -> RailWear:
     gauge = before[before[:, 0] <= middle]
     corner = gauge[gauge.sum(axis=1).argmin()]
     across = float(corner[0] - corner[1])
-    return RailWear(W1, sides[1] - sides[0], _outwards(after, across) - _outwards(before, across))
+    found = RailWear(W1, sides[1] - sides[0], _outwards(after, across) - _outwards(before, across))
+    if not np.isfinite(found.W3):
+        raise invalid("worn", "does not cross the line at 45 degrees through the gauge corner of new; give both profiles in the same coordinates")
+    give(_grown(found))
+    return found
+
+
+def _grown(wear: RailWear) -> Iterator[str]:
+    """Returns a sentence about a rail that has more steel than before."""
+    if (least := min(wear.W1, wear.W2)) < -_GAINED:
+        yield f"worn has gained {-least:.3g} mm in comparison with new. Check whether the profiles are exchanged or displaced."
 
 
 def conicities(

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from contactd import InvalidArgument
+from contactd import ContactWarning, InvalidArgument
 from contactd.wear import rail_wear, wheel_gauge
 
 #: A flange with straight faces: its tip 28 mm below the tread at y = -52, its face from (-50, 28) to (-30, 0).
@@ -115,3 +115,41 @@ def test_a_rail_that_leans_to_positive_y_is_refused():
         assert rail_wear(right, right + np.array([0, 1])).W1 == pytest.approx(1)
         with pytest.raises(InvalidArgument, match="leans to y > 0"):
             rail_wear(right * (-1, 1), right * (-1, 1) + np.array([0, 1]))
+
+
+def test_profiles_upside_down_are_refused():
+    with pytest.raises(InvalidArgument, match=r"points rise to z = -28 mm at y = -5.*reverse the sign of z"):
+        wheel_gauge(WHEEL * (1, -1))
+    rail = head(1 / 40)
+    for upside_down in (rail * (1, -1), rail * (-1, -1)):
+        with pytest.raises(InvalidArgument, match=r"new have both ends near the top.*reverse the sign of z"):
+            rail_wear(upside_down, upside_down)
+        with pytest.raises(InvalidArgument, match=r"worn have both ends near the top.*reverse the sign of z"):
+            rail_wear(rail, upside_down)
+
+
+@pytest.mark.parametrize("unit", [1e-3, 0.1, 1 / 25.4, 1e3])
+def test_profiles_in_other_units_are_refused(unit):
+    for measured in (lambda: wheel_gauge(WHEEL * unit), lambda: rail_wear(RAIL * unit, RAIL * unit), lambda: rail_wear(RAIL, RAIL * unit)):
+        with pytest.raises(InvalidArgument, match=r"span .* mm laterally, but wheels and rails are 15 to 1000 mm wide; give lengths in mm"):
+            measured()
+
+
+def test_a_profile_that_returns_to_its_first_point_is_refused():
+    for measured in (lambda: wheel_gauge([*WHEEL, WHEEL[0]]), lambda: rail_wear(RAIL, [*RAIL, RAIL[0]])):
+        with pytest.raises(InvalidArgument, match="end at their first point; give an open profile"):
+            measured()
+
+
+def test_rails_in_different_coordinates_are_refused():
+    rail = head(1 / 40)
+    with pytest.raises(InvalidArgument, match=r"worn has gained 20 mm at y > 0, 14 mm below its top; reverse the sign of y, or give both"):
+        rail_wear(rail, rail + (20, 0))
+    with pytest.raises(InvalidArgument, match="worn lies 460 mm below new; give both profiles with the same origin"):
+        rail_wear(rail, rail + (0, 460))
+
+
+def test_exchanged_rails_are_warned_of():
+    worn = RAIL + np.array([2, 1])
+    with pytest.warns(ContactWarning, match=r"worn has gained 2 mm .* exchanged or displaced"):
+        assert rail_wear(worn, RAIL).W2 == pytest.approx(-2)
