@@ -10,9 +10,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
+from ..calls.answer_warnings import give
 from ..errors import invalid
 from .placed import StudyPlace, WheelRailClient
-from ..calls.answer_warnings import give
 from .points import check_gauge_side, check_head, check_run, crossing, ordered
 from .steps import WornStep
 from .study import WearStudy

@@ -144,9 +144,9 @@ def test_a_profile_that_returns_to_its_first_point_is_refused():
 def test_rails_in_different_coordinates_are_refused():
     rail = head(1 / 40)
     with pytest.raises(InvalidArgument, match=r"worn has gained 20 mm at y > 0, 14 mm below its top; reverse the sign of y, or give both"):
-        rail_wear(rail, rail + (20, 0))
+        rail_wear(rail, rail + np.array([20, 0]))
     with pytest.raises(InvalidArgument, match="worn lies 460 mm below new; give both profiles with the same origin"):
-        rail_wear(rail, rail + (0, 460))
+        rail_wear(rail, rail + np.array([0, 460]))
 
 
 def test_exchanged_rails_are_warned_of():
