@@ -1,9 +1,11 @@
 #include "wheelset_conicity.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
 #include "contactd/below.hpp"
+#include "contactd/conicity_warnings.hpp"
 #include "contactd/equivalent_conicity.hpp"
 #include "contactd/error.hpp"
 #include "contactd/make_profile.hpp"
@@ -46,6 +48,11 @@ PlacedProfiles placed(const Side& side) {
     return {both.wheel.points(), both.rail.points(), both.wheel_origin, both.rail_origin, side.wheel, side.rail};
 }
 
+void add(std::vector<std::string>& warnings, const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences)
+        if (std::ranges::find(warnings, sentence) == warnings.end()) warnings.push_back(sentence);
+}
+
 }  // namespace
 
 std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, const ConicityRequest& request,
@@ -78,6 +85,21 @@ std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, cons
                                     [&] { return contacts_at(wheelset, shift, request.roll); }));
     }
     return contacts;
+}
+
+std::vector<std::string> wheelset_warnings(const WheelsetSetup& setup, const std::optional<ContactsRequest>& contacts,
+                                           const std::optional<ConicityRequest>& conicity) {
+    std::vector<std::string> warnings;
+    for (const auto& [side, name] :
+         {std::pair(&setup.setup, "setup"), std::pair(setup.left ? &*setup.left : nullptr, "left")}) {
+        if (side == nullptr) continue;
+        const Side found = side_of(*side, name);
+        add(warnings, found.wheel.warnings);
+        add(warnings, found.rail.warnings);
+    }
+    if (contacts) add(warnings, unit_warnings(*contacts));
+    if (conicity) add(warnings, unit_warnings(*conicity));
+    return warnings;
 }
 
 ProfilesOfSides placed_profiles(const WheelsetSetup& setup) {

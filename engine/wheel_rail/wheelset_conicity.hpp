@@ -1,6 +1,8 @@
 // Computes contacts, equivalent conicity and placed profiles of a rigid wheelset with the profiles of a set-up.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "contactd/conicity.hpp"
@@ -17,6 +19,11 @@ std::vector<EquivalentConicity> wheelset_conicities(const WheelsetSetup& setup, 
 /// "contacts.shifts[i]", ..., and Cancelled.
 std::vector<WheelsetContacts> wheelset_contacts(const WheelsetSetup& setup, const ContactsRequest& request,
                                                 const Observer& observer);
+
+/// Returns sentences about profiles, and about shifts and amplitudes that are probably meant in another unit. Throws
+/// InvalidArgument naming "setup.rail.points", ...
+std::vector<std::string> wheelset_warnings(const WheelsetSetup& setup, const std::optional<ContactsRequest>& contacts,
+                                           const std::optional<ConicityRequest>& conicity);
 
 /// Throws InvalidArgument naming "setup.rail.points", ...
 ProfilesOfSides placed_profiles(const WheelsetSetup& setup);

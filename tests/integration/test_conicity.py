@@ -9,12 +9,25 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from contactd import Client, InvalidArgument, TimeoutExpired
+from contactd import Client, ContactWarning, InvalidArgument, TimeoutExpired
 from contactd.wheel_rail import ArcProfile, ConeProfile, ProfilePoints, Rail60E1, Track, WheelRailSetup, Wheelset
 
 PAGE = Path(__file__).parents[2] / "docs" / "profiles.md"
 PLAIN = WheelRailSetup()
 CONE = WheelRailSetup(wheel=ConeProfile(-0.05, ends=(-60, 60)))
+
+
+def head(inclination: float) -> np.ndarray:
+    """Returns points of a head with R 300 on top and corners of 13 mm, inclined towards y < 0."""
+    y = np.linspace(-36, 36, 73)
+    z = np.where(abs(y) < 23, y**2 / 600, 0.88 + 13 - np.sqrt(np.maximum(169 - (abs(y) - 23) ** 2, 0)))
+    points = np.vstack([(-36, 30), np.column_stack([y, z]), (36, 30)])
+    cosine, sine = math.cos(inclination), math.sin(inclination)
+    return points @ np.array([[cosine, -sine], [sine, cosine]])
+
+
+HEAD = head(1 / 40)
+MIRRORED = ProfilePoints(HEAD * (-1, 1))
 
 
 def rows_of_page() -> list[tuple[float, list[tuple[float, float]]]]:
@@ -147,6 +160,30 @@ def test_bad_input_is_named_by_its_field(shared_daemon, setup, asked, field):
         method = client.wheelset_contacts if "shifts" in asked else client.equivalent_conicity
         method(PLAIN.replace(**setup), **asked)
     assert caught.value.violations[0].field.startswith(field), caught.value
+
+
+@pytest.mark.parametrize(
+    ("setup", "asked", "sentence"),
+    [
+        ({}, {"amplitudes": [0.01, 0.03]}, "conicity.amplitudes are at most 0.03 mm"),
+        ({}, {"amplitudes": [3], "contact_distance": 1.5}, "conicity.contact_distance is 1.5 mm"),
+        ({}, {"shifts": [-0.006, 0, 0.006]}, "contacts.shifts are at most 0.006 mm"),
+        ({"rail": MIRRORED}, {"amplitudes": [3]}, "appears to have its gauge side at y > 0"),
+        ({"rail": MIRRORED}, {"shifts": [0]}, "appears to have its gauge side at y > 0"),
+        ({}, {"amplitudes": [3], "left": PLAIN.replace(rail=MIRRORED)}, "appears to have its gauge side at y > 0"),
+        ({"rail": ProfilePoints(HEAD * (0.1, 0.1))}, {"amplitudes": [3]}, "mm wide, but 70 mm are usual"),
+    ],
+)
+def test_doubtful_profiles_and_units_are_warned_of(shared, setup, asked, sentence):
+    method = shared.wheelset_contacts if "shifts" in asked else shared.equivalent_conicity
+    with pytest.warns(ContactWarning, match=re.escape(sentence)):
+        method(PLAIN.replace(**setup), **asked)
+
+
+def test_usual_profiles_and_units_are_not_warned_of(shared, recwarn):
+    shared.equivalent_conicity(WheelRailSetup(rail=ProfilePoints(HEAD)), [0.01, 3])
+    shared.wheelset_contacts(PLAIN, [0])
+    assert not recwarn.list
 
 
 def test_a_conicity_ends_at_its_deadline(shared):

@@ -77,7 +77,8 @@ OMITTED: Mapping[str, str] = MappingProxyType(
     {
         "49E1": "its two sources disagree by 0.74 mm",
         **dict.fromkeys(("50E1", "54E4", "56E1", "GV 1/40", "EPS", "P8", "AAR-1B"), "no second source was found"),
-        "LM": "points were found, but no drawing",
-        **dict.fromkeys(("LMA", "ORE", "115RE", "136RE", "CN60", "R65"), "no public source was found"),
+        **dict.fromkeys(("LM", "LMA"), "points were found, but no drawing"),
+        **dict.fromkeys(("115RE", "136RE", "R65"), "no public source has all dimensions of its head"),
+        **dict.fromkeys(("ORE", "CN60"), "no public source was found"),
     }
 )

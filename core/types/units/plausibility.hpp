@@ -12,6 +12,8 @@ enum class Quantity {
     angle,                 ///< angles of wheelsets and rails (rad)
     friction_coefficient,  ///< as a ratio
     lateral_position,      ///< of a wheelset (mm)
+    lateral_amplitude,     ///< largest amplitude of the kinematic motion of a wheelset (mm)
+    contact_distance,      ///< distance between the contacts of both wheels (mm)
     track_length,          ///< from the first slice of a rail to the last (mm)
     vehicle_speed,         ///< speed of a wheel on its rail (mm/s)
     vertical_force,        ///< on the wheel of a vehicle (N)

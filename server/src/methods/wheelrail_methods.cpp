@@ -1,4 +1,5 @@
 // Implements wheelrail.*: wheels on their rails.
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,12 +88,20 @@ void locate(const CallPtr& call, const DaemonParts& parts) {
     proto::ArrayWriter arrays(call->request.arrays);
     nlohmann::json result =
         proto::encode_wheel_rail_geometries(parts.engine.locate(wheelset.setup, states, work.observer()));
-    if (params.contains("contacts"))
-        result["contacts"] = proto::encode_contacts(engine::wheelset_contacts(
-            wheelset, proto::read_value<ContactsRequest>(params["contacts"], "contacts"), work.observer()));
-    if (params.contains("conicity"))
-        result["conicities"] = proto::encode_conicities(engine::wheelset_conicities(
-            wheelset, proto::read_value<ConicityRequest>(params["conicity"], "conicity"), work.observer()));
+    std::optional<ContactsRequest> contacts;
+    std::optional<ConicityRequest> conicity;
+    if (params.contains("contacts")) {
+        contacts = proto::read_value<ContactsRequest>(params["contacts"], "contacts");
+        result["contacts"] = proto::encode_contacts(engine::wheelset_contacts(wheelset, *contacts, work.observer()));
+    }
+    if (params.contains("conicity")) {
+        conicity = proto::read_value<ConicityRequest>(params["conicity"], "conicity");
+        result["conicities"] =
+            proto::encode_conicities(engine::wheelset_conicities(wheelset, *conicity, work.observer()));
+    }
+    if (contacts || conicity)
+        if (const auto warnings = engine::wheelset_warnings(wheelset, contacts, conicity); !warnings.empty())
+            result["warnings"] = warnings;
     if (params.value("profiles", false))
         result["profiles"] = proto::encode_profiles(engine::placed_profiles(wheelset), arrays);
     work.succeed(result, arrays.take_frames());

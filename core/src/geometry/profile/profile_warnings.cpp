@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "geometry/profile/exchanged_profiles.hpp"
 #include "geometry/profile/gauge_side.hpp"
 #include "types/number_text.hpp"
 
@@ -79,6 +80,14 @@ void warn_of_scatter(const Profile& profile, const std::string& name, std::vecto
                        short_text(std::clamp(std::ceil(length), 2.0, 10.0)) + " mm.");
 }
 
+void warn_of_exchange(const Profile& profile, const std::string& name, std::vector<std::string>& warnings) {
+    const bool wheel = profile.kind == ProfileKind::wheel;
+    if (!(wheel ? has_shape_of_rail(profile.curve) : has_shape_of_wheel(profile.curve))) return;
+    warnings.push_back("The profile of the " + name + " has the shape of " +
+                       (wheel ? "the head of a rail" : "a wheel with its flange upwards") +
+                       ". Check whether the profiles of wheel and rail are exchanged.");
+}
+
 /// A profile that is smoothed by more than measuring errors has lost a part of its shape.
 void warn_of_smoothing(const Profile& profile, const std::string& name, std::vector<std::string>& warnings) {
     constexpr double far = 0.3;  // mm
@@ -95,6 +104,7 @@ std::vector<std::string> profile_warnings(const Profile& profile) {
     const std::string name(name_of(profile.kind));
     std::vector<std::string> warnings;
     warn_of_width(profile, name, warnings);
+    warn_of_exchange(profile, name, warnings);
     const bool is_measured = profile.evidence.points_given >= measured;
     if (profile.evidence.cut_off == 0 && is_measured && !warn_of_rounding(profile, name, warnings))
         warn_of_scatter(profile, name, warnings);

@@ -1,6 +1,8 @@
 // Tests equivalent conicity against cones, arcs, and the motion integrated step by step.
 #include "contactd/equivalent_conicity.hpp"
 
+#include "contactd/conicity_warnings.hpp"
+
 #include <catch2/catch_test_macros.hpp>
 #include <catch2/generators/catch_generators.hpp>
 #include <catch2/matchers/catch_matchers_exception.hpp>
@@ -229,6 +231,28 @@ TEST_CASE("amplitudes beyond a profile's end are refused", "[conicity]") {
     CHECK(equivalent_conicities(wheelset, std::vector{1.0}).front().integrated > 0.05);
     CHECK_THROWS_MATCHES(equivalent_conicities(wheelset, std::vector{6.0}), InvalidArgument,
                          MessageMatches(ContainsSubstring("amplitudes reach 6 mm, but at the shift -")));
+}
+
+TEST_CASE("amplitudes, distances and shifts in metres are warned of", "[conicity]") {
+    const auto sentence = [](const std::vector<std::string>& warnings) {
+        REQUIRE(warnings.size() == 1);
+        return warnings.front();
+    };
+    CHECK(sentence(unit_warnings(ConicityRequest{{0.01, 0.03}})) ==
+          "conicity.amplitudes are at most 0.03 mm, smaller than any motion of a wheelset on its track. Give "
+          "amplitudes in "
+          "mm, not in m. If it is in m, it is 30 mm.");
+    CHECK(sentence(unit_warnings(ConicityRequest{{3}, {.contact_distance = 1.5}})) ==
+          "conicity.contact_distance is 1.5 mm, less than the distance of the rails of any track. Give it in mm, not "
+          "in m. "
+          "If it is in m, it is 1500 mm.");
+    CHECK(sentence(unit_warnings(ContactsRequest{{-0.006, 0, 0.003}})) ==
+          "contacts.shifts are at most 0.006 mm, micrometres from the track centre. Give lengths in mm, not in m. If "
+          "it is "
+          "in m, it is 6 mm.");
+    CHECK(unit_warnings(ConicityRequest{{0.01, 3}}).empty());
+    CHECK(unit_warnings(ContactsRequest{{0}}).empty());
+    CHECK(unit_warnings(ContactsRequest{{-6, 0, 6}}).empty());
 }
 
 TEST_CASE("amplitudes and settings that make no sense are refused", "[conicity]") {
