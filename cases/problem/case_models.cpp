@@ -60,6 +60,16 @@ std::optional<InterfacialLayer> layer_of(const Given& settings) {
     return settings.layer;
 }
 
+std::optional<std::array<Viscoelasticity, 2>> creep_of(const Given& settings) {
+    if (settings.digits.material != viscoelastic) return {};
+    if (!settings.creep)
+        throw NotCovered(
+            Subject::input,
+            "Control digit M = 1 (flag 1979) requires the creep of both bodies, but none was given (method "
+            "1 of cntc_setmaterialparameters).");
+    return settings.creep;
+}
+
 void forget_memory(std::optional<KineticFriction>& kinetic, Model model) {
     if (model != Model::full && kinetic) kinetic->memory.reset();
 }

@@ -1,6 +1,7 @@
 // Selects the models for the digits B and M.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
@@ -26,6 +27,9 @@ MaterialPair solved_materials(const MaterialPair& given);
 
 /// Returns the layer between the bodies if the digit M requests one.
 std::optional<InterfacialLayer> layer_of(const Given& settings);
+
+/// Returns the creep of the bodies if the digit M requests viscoelastic ones.
+std::optional<std::array<Viscoelasticity, 2>> creep_of(const Given& settings);
 
 /// Removes the memory of friction in a simplified theory, which uses one coefficient for the whole contact.
 void forget_memory(std::optional<KineticFriction>& kinetic, Model model);

@@ -277,12 +277,13 @@ ContactProblem problem_of(const Given& settings, const LastCase* last,
     problem.regions = std::move(area.regions);
     if (settings.digits.bound == of_sheet) problem.sheet_flexibility = settings.sheet;
     problem.bodies = Bodies::of(solved_materials(*settings.materials), coefficients(settings));
+    const auto creep = creep_of(settings);
     if (settings.digits.influence == of_file) {
         if (!settings.coefficients)
             throw NotCovered(Subject::input,
                              "Control digit C = 9 (flag 1978) requires coefficients that only an input file can give "
                              "(cntc_readinpfile).");
-        if (settings.creep)
+        if (creep)
             throw NotCovered(Subject::input,
                              "Control digits C = 9 (flag 1978) and M = 1 (flag 1979) together are not supported: "
                              "coefficients from a file do not creep. Use C = 2 or M = 0.");
@@ -304,11 +305,11 @@ ContactProblem problem_of(const Given& settings, const LastCase* last,
         problem.approach = settings.pen;
     }
     // The curvatures of a given ellipse are those of half-spaces, and of creeping bodies without their creep.
-    if (settings.creep || (problem.bodies.pair && std::holds_alternative<SemiAxes>(*problem.gap)))
+    if (creep || (problem.bodies.pair && std::holds_alternative<SemiAxes>(*problem.gap)))
         if (const auto paraboloid = paraboloid_of(problem)) problem.gap = *paraboloid;
-    if (settings.creep) {
-        problem.bodies.upper.viscoelastic = settings.creep->front();
-        problem.bodies.lower.viscoelastic = settings.creep->back();
+    if (creep) {
+        problem.bodies.upper.viscoelastic = creep->front();
+        problem.bodies.lower.viscoelastic = creep->back();
     }
     validate_opening(problem);  // Friction is added below.
     add_friction(problem, settings, normal_force);

@@ -16,6 +16,7 @@ TEST_CASE("coefficients from a file are those of elastic bodies", "[contact_file
     Given given;
     given.digits.tangential = 0;
     given.digits.influence = 9;
+    given.digits.material = 1;
     given.materials = MaterialPair{steel, steel};
     given.coefficients = std::make_shared<const GivenIcs>();
     given.area = Grid{4, 4, 0.5, 0.5, -1, -1};

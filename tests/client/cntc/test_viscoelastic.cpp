@@ -42,6 +42,35 @@ TEST_CASE("creep makes a contact wider, and that at once is elastic") {
     CHECK_THAT(contact.areas().contact, WithinRel(stiff, 1e-12));
 }
 
+TEST_CASE("a flag makes bodies elastic and viscoelastic again") {
+    Case contact = wheel(1);
+    contact.hertz(-3, {25, 25, 6, 4, 2});
+    contact.creepages(5e-4, 0, 0);
+    contact.velocity(1000);
+    REQUIRE(contact.calculate() == 0);
+    const double stiff = contact.areas().contact;
+    viscoelastic(contact, 1, 1, 5e-3, 5e-3);
+    REQUIRE(contact.calculate() == 0);
+    const double creeping = contact.areas().contact;
+    REQUIRE(creeping > stiff);
+    contact.flag(1979, 0);
+    REQUIRE(contact.calculate() == 0);
+    CHECK_THAT(contact.areas().contact, WithinRel(stiff, 1e-12));
+    contact.flag(1979, 1);
+    REQUIRE(contact.calculate() == 0);
+    CHECK_THAT(contact.areas().contact, WithinRel(creeping, 1e-12));
+}
+
+TEST_CASE("viscoelastic bodies require their creep") {
+    Case contact = wheel(1);
+    contact.hertz(-3, {25, 25, 6, 4, 2});
+    contact.creepages(5e-4, 0, 0);
+    contact.velocity(1000);
+    contact.flag(1979, 1);
+    CHECK(contact.calculate() < 0);
+    CHECK(last_sentence().find("requires the creep of both bodies") != std::string::npos);
+}
+
 TEST_CASE("what was set of creep is told back") {
     Case contact = wheel(1);
     viscoelastic(contact, 1, 2, 0.01, 0.02);
