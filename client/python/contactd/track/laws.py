@@ -21,6 +21,7 @@ from .irregularities import Irregularity, height_at
 __all__ = ["ContactLaw", "Hertz", "Law", "WheelRailLaw"]
 
 _MM = 1000.0
+_FLATTEST = 0.005  #: Smallest variation of a gap (mm) over the grid.
 
 
 class Law(Protocol):
@@ -91,6 +92,8 @@ class ContactLaw:
         self._smooth = None if gap is None else np.asarray(gap, dtype=np.float64)
         if self._smooth is not None and self._smooth.shape != shape:
             raise invalid("gap", f"has the shape {list(self._smooth.shape)}. The grid of the session requires {list(shape)}.")
+        if self._smooth is not None and not np.ptp(self._smooth) > _FLATTEST:
+            raise refused("gap", float(np.ptp(self._smooth)), f"it must vary by more than {_FLATTEST:g} mm. Gaps are in mm; did you give m?")
         self._session, self._roughness, self._gap_at = session, tuple(roughness), gap_at
         self._along = np.asarray(session.grid.x, dtype=np.float64) / _MM
         self._position, self._gap = float("nan"), self._smooth

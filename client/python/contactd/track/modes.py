@@ -52,6 +52,7 @@ class TrackModes:
         slow = vectors[:, count:]
         self._damping: Complex = weights * (slow.conj().swapaxes(1, 2) @ ring.damping @ slow)
         self._split = (waves, 2 * count)
+        self._lost: dict[float, Complex] = {}
 
     def at(self, shares: Array) -> tuple[Complex, Complex]:
         """Returns conjugate shapes and loads [position, mode] at shares of the bay of the frame, from 0 to 2."""
@@ -71,13 +72,19 @@ class TrackModes:
         """Returns the energy (J) dissipated in steps with constant forces. `free` [step, mode] is the difference between
         the modes and their static values under the force, at the beginning of each step.
         """
-        rates = self.rates.reshape(self._split)
-        sums = (rates.conj()[:, :, None] + rates[:, None, :]) * step
-        safe = np.where(np.abs(sums) < 1e-12, 1.0, sums)
-        weighted = self._damping * np.where(np.abs(sums) < 1e-12, 1.0, np.expm1(safe) / safe) * step
-        of_waves = np.moveaxis(free.reshape(-1, *self._split), 1, 0)
-        lost: Array = np.einsum("jsk,jsk->s", of_waves.conj(), of_waves @ weighted.swapaxes(1, 2)).real
+        of_waves = np.ascontiguousarray(np.moveaxis(free.reshape(-1, *self._split), 1, 0))
+        lost: Array = np.einsum("jsk,jsk->s", of_waves.conj(), of_waves @ self._lost_in(step)).real
         return lost
+
+    def _lost_in(self, step: float) -> Complex:
+        """Returns the quadratic form of the dissipation in a step [wave number, mode, conjugate mode]."""
+        if step not in self._lost:
+            rates = self.rates.reshape(self._split)
+            sums = (rates.conj()[:, :, None] + rates[:, None, :]) * step
+            still = np.abs(sums) < 1e-12
+            mean = np.where(still, 1.0, np.expm1(sums) / np.where(still, 1.0, sums))
+            self._lost = {step: np.ascontiguousarray((self._damping * mean * step).swapaxes(1, 2))}
+        return self._lost[step]
 
 
 def _parts(values: Complex) -> Array:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,6 +12,7 @@ from .checks import Array
 from .irregularities import Irregularity, height_at
 from .laws import Law
 from .modes import TrackModes
+from .places import Places, PlaceTable, rows_of
 from .ring import Complex, Ring
 from .run import Evidence
 from .schemes import Scheme, StepEquation
@@ -22,35 +22,8 @@ __all__ = ["Motion"]
 
 #: Largest error of a step's force, over the load: of closed forms, and of contact solves with their tolerances.
 _TOLERANCE, _TOLERANCE_OF_SOLVES = 1e-12, 1e-6
-_TABLE_BYTES = 200e6  #: Memory for the modes at the positions of a bay.
 _BLOCK = 128
 _MOST_TRIALS = 200
-
-
-@dataclass(frozen=True)
-class _Places:
-    """Modes at the positions after the steps of a block.
-
-    Attributes:
-        shapes: Conjugate shapes [step, mode].
-        moves: Change of the modes by a constant unit force in a step [step, mode].
-        grows: The same for a force that grows from 0 to 1; None unless the scheme is linear.
-        deflected: Deflection by `moves` [step].
-        of_growth: Deflection by `grows` [step].
-        compliance: Local compliance [step].
-    """
-
-    shapes: Complex
-    moves: Complex
-    grows: Complex | None
-    deflected: Array
-    of_growth: Array
-    compliance: Array
-
-    def first(self, count: int) -> _Places:
-        """Returns those of the first steps."""
-        arrays = (self.shapes, self.moves, self.grows, self.deflected, self.of_growth, self.compliance)
-        return _Places(*(None if array is None else array[:count] for array in arrays))  # type: ignore[arg-type]
 
 
 class Motion:
@@ -75,9 +48,9 @@ class Motion:
         self._statics = 1 / (1 - self._advance)  #: Static values over `moves`.
         self._tolerance = wheel.load * (_TOLERANCE if law.has_energy else _TOLERANCE_OF_SOLVES)
         self._equation = StepEquation(law, self._tolerance)
-        self._table: dict[int, _Places] = {}
+        self._table = PlaceTable(self._track, step, self._advance, scheme == "linear", self.steps_of_bay)
         self._eta: Complex = np.zeros(0, dtype=np.complex128)
-        self._at, self._frame = 0, 0
+        self._at, self._frame, self._accounts = 0, 0, False
         self._rest(0)
 
     def go_before(self, bays: int) -> None:
@@ -89,6 +62,7 @@ class Motion:
         if self._at:
             bays = -(self._at // self.steps_of_bay)
             self._at, self._frame = self._at + bays * self.steps_of_bay, self._frame + bays
+        self._accounts = True
         self.steps, self._losses, self._work, self._lost, self._of_contact = 0, 0, 0.0, 0.0, 0.0
         self._energy = self._stored()
         self._equation.trials = self._equation.most_trials = 0
@@ -109,7 +83,8 @@ class Motion:
             for _ in range(frame - self._frame):
                 self._eta = self._eta * self._track.turns
             self._frame = frame
-            yield self._solve(number, self._places(number))
+            steps = self._at + 1 + np.arange(number, dtype=np.float64)
+            yield self._solve(number, self._table.at(self._at, self._position(steps if self._distance else np.zeros(1)), frame))
             count -= number
 
     def _position(self, step: int | Array) -> Array:
@@ -122,7 +97,7 @@ class Motion:
         """Sets the equilibrium of wheel and track at rest."""
         self._at, self._frame = step, self._frame_of(step)
         load, height = self._wheel.load, self._height_after(np.array([step]))[0]
-        places = self._modes_at(np.array([step]))
+        places = self._table.made(self._position(np.array([float(step)])), self._frame)
         self._approach, self._force = self._equilibrium(load)
         self._eta = places.moves[0] * self._statics * load
         self._compliance = float(places.compliance[0])
@@ -156,32 +131,7 @@ class Motion:
     def _height_after(self, steps: Array) -> Array:
         return height_at(self._heights, self._position(np.maximum(steps, 0)))
 
-    def _places(self, number: int) -> _Places:
-        """Returns the modes of the next steps; for a wheel at one place those of one."""
-        if not self._distance:
-            return self._table.setdefault(0, self._modes_at(np.zeros(1)))
-        in_bay = self._at % self.steps_of_bay
-        known = self._table.get(in_bay)
-        if known is None or len(known.compliance) < number:
-            known = self._modes_at(self._at + 1 + np.arange(number, dtype=np.float64))
-            if 3 * known.shapes.nbytes * self.steps_of_bay / number < _TABLE_BYTES:
-                self._table[in_bay] = known
-        return known.first(number)
-
-    def _modes_at(self, steps: Array) -> _Places:
-        """Returns the modes after steps, in the present frame."""
-        positions = self._position(steps)
-        shapes, loads = self._track.at(np.maximum(positions / self._ring.track.spacing - self._frame, 0.0))
-        rates, step = self._track.rates, self._step
-        part = (self._advance - 1) / rates
-        moves, grows = loads * part, None
-        of_growth: Array = np.zeros(len(positions))
-        if self._scheme == "linear":
-            grows = loads * ((part - step) / (rates * step))
-            of_growth = _rows(shapes, grows)
-        return _Places(shapes, moves, grows, _rows(shapes, moves), of_growth, self._ring.local_compliance(positions))
-
-    def _solve(self, number: int, places: _Places) -> Array:
+    def _solve(self, number: int, places: Places) -> Array:
         """Solves the steps of a block, and returns its rows."""
         is_linear, is_gradient = self._scheme == "linear", self._scheme == "gradient"
         wheel, equation, load, advance = self._linear, self._equation, self._wheel.load, self._advance
@@ -224,7 +174,8 @@ class Motion:
             free += (places.grows if is_linear and places.grows is not None else places.moves)[row] * mean
             states[i + 1], approaches[i + 1], forces[i + 1] = moved, new, force
             means[i], after[i] = (0.5 * (forces[i] + force) if is_linear else mean), rail + b * mean
-        self._account(places, etas, states, approaches, forces, means, after, is_gradient)
+        if self._accounts:
+            self._account(places, etas, states, approaches, forces, means, after, is_gradient)
         self._eta, self._states, self._approach, self._force = etas[-1].copy(), states[-1].copy(), d, force
         self._compliance = float(places.compliance[-1])
         self._at, self.steps = self._at + number if self._distance else self._at, self.steps + number
@@ -232,14 +183,14 @@ class Motion:
         shown = means if is_gradient else forces[1:]
         return np.column_stack([times, positions, shown, states[1:] @ at_contact, after + places.compliance * forces[1:], approaches[1:]])
 
-    def _account(self, places: _Places, etas: Complex, states: Array, approaches: Array, forces: Array, means: Array, after: Array, is_gradient: bool) -> None:
+    def _account(self, places: Places, etas: Complex, states: Array, approaches: Array, forces: Array, means: Array, after: Array, is_gradient: bool) -> None:
         """Adds the block to losses of contact, work and dissipation."""
         self._losses += int(((forces[:-1] > 0) & (forces[1:] <= 0)).sum())
         compliance = np.broadcast_to(places.compliance, means.shape)
         before = np.concatenate([[self._compliance], compliance[:-1]])
         total = approaches[1:] + compliance * forces[1:] - approaches[:-1] - before * forces[:-1]
         if not is_gradient:
-            unmoved = after - _rows(np.broadcast_to(places.shapes, etas[:-1].shape), etas[:-1])
+            unmoved = after - rows_of(np.broadcast_to(places.shapes, etas[:-1].shape), etas[:-1])
             by_states = np.diff(states @ self._linear.at_contact) - unmoved
             self._work += float((means * (total - by_states) - 0.5 * means**2 * (compliance - before)).sum())
         if not self._law.has_energy:
@@ -268,8 +219,3 @@ class Motion:
 
 def _real(conjugates: Complex, eta: Complex) -> float:
     return float(conjugates.view(np.float64) @ eta.view(np.float64))
-
-
-def _rows(conjugates: Complex, etas: Complex) -> Array:
-    found: Array = np.einsum("sm,sm->s", conjugates.real, etas.real) + np.einsum("sm,sm->s", conjugates.imag, etas.imag)
-    return found

@@ -76,6 +76,8 @@ def roll(
     Raises InvalidArgument naming an invalid argument, and Aborted if a step does not converge.
     """
     _check(wheel, law, speed, duration, position, rate, scheme, start, irregularities)
+    if speed >= (critical := ring.track.critical_speed):
+        raise refused("speed", float(speed), f"the critical speed of the track is {critical:.0f} m/s. Use a lower speed, or check the track.")
     step, distance = _step_of(ring, speed, rate)
     steps = math.ceil(duration / step - 1e-6)
     _check_steps(irregularities, distance, steps, path, position)
