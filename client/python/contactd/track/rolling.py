@@ -33,6 +33,7 @@ _REPEATS = 1e-3  #: Change of the force from bay to bay, over the load.
 _FAST, _FASTEST = 100.0, 170.0  #: Speeds (m/s) above which km/h are likely or certain.
 _MOST_STEPS = 10_000_000  #: Without a file.
 _MISSED = 5e-7  #: Height (m) between the positions of steps that gives a warning.
+_MOST_FORCE = 10.0  #: Largest force over the load without a warning.
 _MOST_WARNINGS = 5  #: Number of different warnings of contact solves in a run.
 _REPORTS = 0.2  #: Seconds between reports of progress.
 
@@ -75,6 +76,8 @@ def roll(
 
     Raises InvalidArgument naming an invalid argument, and Aborted if a step does not converge.
     """
+    if not isinstance(ring, Ring):
+        raise refused("ring", ring, "it must be a Ring. Create one from the track: Ring(track).")
     _check(wheel, law, speed, duration, position, rate, scheme, start, irregularities)
     if speed >= (critical := ring.track.critical_speed):
         raise refused("speed", float(speed), f"the critical speed of the track is {critical:.0f} m/s. Use a lower speed, or check the track.")
@@ -87,10 +90,14 @@ def roll(
         with collected() as sentences:
             rolled, change = _roll_in(motion, wheel, reports) if start == "rolled" and speed > 0 else (0, 0.0)
             motion.begin()
+            largest = 0.0
             for block in motion.blocks(steps):
                 output.add(block)
+                largest = max(largest, float(block[:, 2].max()))
                 reports.give("rolling", motion.steps / steps)
         run = output.end(motion.evidence(rolled * ring.track.spacing, change))
+    if largest > _MOST_FORCE * wheel.load:
+        sentences.insert(0, f"The force reaches {largest / wheel.load:.0f} times the load, where steel yields. Check the unit and the sign of the heights, and the speed.")
     if change > _REPEATS:
         sentences.insert(0, f"The force still changes by {change:.2g} of the load from bay to bay after {rolled} bays. The start is not periodic.")
     if len(sentences) > _MOST_WARNINGS:

@@ -243,3 +243,11 @@ def test_likely_mistakes_give_a_warning(ring):
         roll(ring, WHEEL, LAW, speed=30, duration=0.02, start="static", irregularities=[Record(x, 0 * x, x_unit="m", unit="um")])
     with pytest.warns(ContactWarning, match="miss .* um of the height"):
         roll(ring, WHEEL, LAW, speed=60, duration=0.005, start="static", irregularities=[short])
+    high = Record([0, 0.1, 0.3], [0, 40, 0], x_unit="m", unit="mm")
+    with pytest.warns(ContactWarning, match="times the load, where steel yields"):
+        roll(ring, WHEEL, LAW, speed=30, duration=0.005, start="static", irregularities=[high])
+
+
+def test_a_track_is_no_ring():
+    with pytest.raises(InvalidArgument, match="Create one from the track"):
+        roll(R1, WHEEL, LAW, speed=30, duration=0.01)
