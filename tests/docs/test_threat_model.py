@@ -26,6 +26,7 @@ READERS = {
     "client/python/contactctl/conformity/benchmark_files.py": "values of a benchmark",
     "client/python/contactctl/conformity/run_files.py": "forces along a run",
     "client/python/contactd/track/run.py": "runs of a wheel over a track",
+    "client/python/contactd/roughness/reading.py": "records of roughness",
     "client/python/contactd/wear/states.py": "states and steps of wear",
     "client/python/contactd/transport/curve.py": "keys",
     "cases/given/named_files.cpp": "`.txt`",
