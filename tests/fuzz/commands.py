@@ -76,6 +76,7 @@ FILES = {
     "study.yaml": "problem: problem.yaml\nvary: {approach: [0.01, 0.02]}\nanswers: [forces.Fn, pmax]\n",
     "wear.yaml": "setup: {dx: 1.5, dy: 1.5}\nstates: states.csv\nwears: wheel\nlaw: {name: mild, source: a test, body: lower, range: [0, 10], "
     "energy: {coefficient: 0.000675}}\nuntil: 10\nstep: {depth: 0.01}\n",
+    "rail.csv": "x (mm);r (um)\n" + "".join(f"{x};{x * x % 11}\n" for x in range(1100)),
     "states.csv": "position.y, velocity.x, velocity.pitch, Fz, weight, group\n-1.5, 30000, -65.217, 80000, 0.4, straight\n"
     "1, 30000, -65.217, 80000, 0.4, straight\n",
     "run.csv": "distance (m); Yr (kN); Yl; Qr (kN); Ql (kN)\n" + "".join(f"{x},5; {20 + x % 7}; -4000; 60; 55\n" for x in range(20)),
@@ -90,6 +91,7 @@ COMMANDS = [
     (["contact", "run", "sliced.inp", "--fresh"], ["sliced.inp", "list.slcs", "rail.txt"], ["sliced.out", "sliced.0001a.mat"]),
     (["contact", "convert", "cases.inp", "cases.py"], ["cases.inp", "rail.prr"], ["cases.py"]),
     (["study", "study.yaml", "--csv", "rows.csv"], ["study.yaml", "problem.yaml", "gap.csv"], ["study.yaml.rows", "rows.csv"]),
+    (["roughness", "rail.csv", "--load", "5e4", "--csv", "levels.csv"], ["rail.csv"], ["levels.csv"]),
     (["wear", "wear.yaml", "--fresh", "--profiles", "worn"], ["wear.yaml", "states.csv"], ["wear.yaml.h5", "worn/wheel.prw"]),
     (["conform", "en14363", "run.csv", "--csv", "means.csv"], ["run.csv"], ["means.csv"]),
     (["conform", "en15302", ".", "--csv", "rows.csv"], ["RUIC519A.dat", "SUIC519A.dat", "ben_E1.dat"], ["rows.csv"]),

@@ -26,6 +26,7 @@ from .commands import (
     keys,
     profile,
     profiles,
+    roughness,
     session,
     solve,
     study,
@@ -51,7 +52,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
 )
 for family in (
-    info, tables, solve, wheelrail, profile, profiles, conform, contact, compare, fit, session, jobs, watch, bench, dashboard,
+    info, tables, solve, wheelrail, profile, profiles, roughness, conform, contact, compare, fit, session, jobs, watch, bench, dashboard,
     keys, study, creep_tables, wear, completion,
 ):  # fmt: skip
     family.add_to(app)

@@ -15,8 +15,9 @@ from ..common import Command, Group, connected, setting
 from ..conformity.benchmark import own_benchmark
 from ..conformity.benchmark_files import read_benchmark
 from ..conformity.conicities import Row, compared, curves_of
+from ..conformity.contact_filters import RANGES, compared_filters
 from ..conformity.limits import nadal_limit
-from ..conformity.pictures import draw_conicities, draw_run
+from ..conformity.pictures import draw_conicities, draw_filters, draw_run
 from ..conformity.run_files import read_run
 from ..conformity.run_quantities import Assessment, RunLimits, assessed
 from ..files import writable, write_text
@@ -30,6 +31,7 @@ __all__ = ["add_to"]
 
 _CONICITY_COLUMNS = ("combination", "wheels", "amplitude", "conicity", "reference", "low", "high", "inside")
 _RUN_COLUMNS = ("quantity", "place", "mean")
+_FILTER_COLUMNS = ("load", "diameter", "wavelength", "directive", "computed", "difference")
 Plot = Annotated[str | None, typer.Option("--plot", metavar="FILE", help="Write a picture: .png, .svg or .pdf.")]
 Table = Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write all values to a CSV file.")]
 
@@ -39,6 +41,7 @@ def add_to(app: typer.Typer) -> None:
     family = typer.Typer(cls=Group, help="Checks against standards.", rich_markup_mode=None)
     family.command(cls=Command)(en15302)
     family.command(cls=Command)(en14363)
+    family.command(cls=Command)(cnossos)
     app.add_typer(family, name="conform")
 
 
@@ -100,6 +103,40 @@ def en14363(
     emit(setting().json, {"quantities": [_as_json(one) for one in found]}, *_shown_run(found))
     if outside := [one.name for one in found if not one.is_inside]:
         raise Ended(Code.OUTSIDE, f"{len(outside)} of {len(found)} quantities exceed their limits: {_first(outside)}.")
+
+
+def cnossos(
+    solve: Annotated[bool, typer.Option("--solve", help="Compute the contacts by solves. Default: Hertz in closed form.")] = False,
+    rail_radius: Annotated[float, typer.Option("--rail-radius", min=20, max=1e4, help="Radius of the rail head (mm).")] = 300,
+    exponent: Annotated[float, typer.Option("--exponent", min=2, max=8, help="Exponent of the isotropic surface.")] = 3,
+    plot: Plot = None, table: Table = None,
+) -> None:  # fmt: skip
+    """Compare contact filters with table G-2 of Directive 2002/49/EC (CNOSSOS-EU), as amended by (EU) 2021/1226.
+
+    Exit code 1: a column differs by more than 2.5 dB down to 10 mm, or by more than 2.8 dB down to 3.15 mm.
+    """
+    _check_outputs(plot, table, _FILTER_COLUMNS)
+    with Bar("filters") as bar:
+        if solve:
+            with connected(local_unless_named=True) as client:
+                found = compared_filters(client, rail_radius, exponent, bar.show)
+        else:
+            found = compared_filters(None, rail_radius, exponent, bar.show)
+    cells = [
+        [one.load, one.diameter, float(wave), float(given), float(computed), float(computed - given)]
+        for one in found
+        for wave, given, computed in zip(one.given.wavelengths, one.given.levels, one.computed.levels)
+    ]
+    if table is not None:
+        write_text(table, csv_text([_FILTER_COLUMNS, *cells]))
+    if plot is not None:
+        save_picture(Path(plot), draw_filters(found), dpi=130)
+    columns = ["column", *(f"to {shortest:g} mm (dB)" for shortest, _ in RANGES), "inside"]
+    shown = [[one.name, *(f"{one.largest(shortest)[0]:.2f} at {one.largest(shortest)[1]:g} mm" for shortest, _ in RANGES), one.is_inside] for one in found]
+    given = {"columns": [{"load": one.load, "diameter": one.diameter, "inside": one.is_inside} for one in found], "rows": [dict(zip(_FILTER_COLUMNS, row)) for row in cells]}
+    emit(setting().json, given, listing("Largest differences from table G-2, 2002/49/EC", columns, shown))
+    if outside := [one.name for one in found if not one.is_inside]:
+        raise Ended(Code.DEFECT, f"{len(outside)} of {len(found)} columns lie outside their tolerances: {_first(outside)}.")
 
 
 def _check_outputs(plot: str | None, table: Path | None, columns: Sequence[str]) -> None:

@@ -1,4 +1,4 @@
-"""Draws conicities with their tolerances, and forces of a run with their limits."""
+"""Draws conicities with their tolerances, forces of a run with their limits, and contact filters with those given."""
 
 from __future__ import annotations
 
@@ -11,12 +11,14 @@ import numpy as np
 from contactd.pictures.canvas import COLOURS, INK, bare, plain
 
 from .conicities import Curve, Row
+from .contact_filters import FilterColumn
 from .run_quantities import Assessment
 
-__all__ = ["draw_conicities", "draw_run"]
+__all__ = ["draw_conicities", "draw_filters", "draw_run"]
 
 _OUTSIDE = "#c0392b"
 _COLUMNS = 3
+_LONGEST = 250.0  #: Longest drawn wavelength (mm).
 
 
 def draw_conicities(rows: Sequence[Row], curves: Mapping[str, Curve]) -> Any:
@@ -66,4 +68,23 @@ def draw_run(found: Sequence[Assessment]) -> Any:
     for axes in (above, below):
         bare(axes)
         axes.legend(fontsize="x-small", frameon=False, loc="lower right", bbox_to_anchor=(1, 1), ncols=2)
+    return figure
+
+
+def draw_filters(found: Sequence[FilterColumn]) -> Any:
+    """Returns a figure with the computed filters as lines, and those of the directive as dots."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(7.2, 4.6), layout="constrained")
+    axes = figure.subplots()
+    for one, colour in zip(found, COLOURS):
+        seen = one.given.wavelengths <= _LONGEST
+        axes.plot(one.given.wavelengths[seen], one.computed.levels[seen], color=colour, lw=1.2, label=one.name)
+        axes.plot(one.given.wavelengths[seen], one.given.levels[seen], "o", color=colour, ms=3)
+    axes.set_xscale("log")
+    axes.set(xlim=(_LONGEST, 0.7), ylim=(-45, 2), xlabel="wavelength (mm)", ylabel="contact filter (dB); dots: 2002/49/EC")
+    axes.set_xticks([200, 100, 50, 20, 10, 5, 2, 1], ["200", "100", "50", "20", "10", "5", "2", "1"])
+    axes.minorticks_off()
+    bare(axes)
+    axes.legend(fontsize="small", frameon=False)
     return figure

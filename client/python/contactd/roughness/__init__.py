@@ -17,13 +17,13 @@ theory and its limits.
 
 from __future__ import annotations
 
-from .contacts import contact_weights, patch_problem, wheel_rail_weights
+from .contacts import contact_weights, wheel_rail_weights
 from .directive import DIRECTIVE_2002_49
 from .en15610 import rolled, without_spikes
 from .filters import ContactFilter, effective
 from .reading import read_record
 from .records import Record, map_of, record_of
-from .rough_contact import RoughRun, check_first_order, chi_of, heights_at, roll_over
+from .rough_contact import RoughRun, chi_of, heights_at, roll_over
 from .spectra import ISO_3095_2013, Lines, Spectrum, lines_of, spectrum_of
 from .weights import ContactWeights, EllipseWeights, hertz_weights
 
@@ -37,7 +37,6 @@ __all__ = [
     "Record",
     "RoughRun",
     "Spectrum",
-    "check_first_order",
     "chi_of",
     "contact_weights",
     "effective",
@@ -45,7 +44,6 @@ __all__ = [
     "hertz_weights",
     "lines_of",
     "map_of",
-    "patch_problem",
     "read_record",
     "record_of",
     "roll_over",

@@ -6,7 +6,7 @@ import math
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -16,13 +16,14 @@ from ..errors import invalid
 from ..values.arrays import Array
 from ..values.generated.grid import Paraboloid
 from ..values.generated.problem import ContactProblem
-from .contacts import normal_problem
+from ..values.hertz import Load, ellipse_of_axes
+from .filters import Weights
 from .records import Record
 
 if TYPE_CHECKING:
     from ..client import Client
 
-__all__ = ["RoughRun", "check_first_order", "chi_of", "heights_at", "roll_over"]
+__all__ = ["RoughRun", "chi_of", "heights_at", "roll_over"]
 
 Surface = Record | Callable[[Array, Array], Array]
 
@@ -50,27 +51,28 @@ class RoughRun:
         return Record(float(np.mean(np.diff(self.x))), self.roughness, np.zeros(1), float(self.x[0]))
 
 
-def chi_of(record: Record, Fn: float, a: float, b: float, modulus: float, *, across: str = "isotropic") -> float:
-    """Returns chi = E* g/(2 pm), below which the first order holds: up to 0.3 it errs by less than a decibel.
+def chi_of(record: Record, weights: Weights, Fn: float, *, across: Literal["isotropic", "alike"] = "isotropic") -> float:
+    """Returns chi = E* g/(2 pm) at a force (N), and warns (ContactWarning) above 0.3: there the filter to first order errs
+    by a decibel and more.
 
-    g is the rms slope of the surface, that of one line times sqrt(2) if the surface is isotropic; of a map it is
-    computed. pm = Fn/(pi a b) is the mean pressure (N, mm), and `modulus` is E* (N/mm^2). chi increases with the finest
-    waves of the record.
+    g is the rms slope of the surface: that of a map is computed, that of one line is multiplied by sqrt(2) if the surface
+    is isotropic. pm = Fn/(pi a b), with semi-axes from the second moments of the weights, and E* follows from these and
+    the stiffness. chi increases with the finest waves of the record. Raises InvalidArgument if the stiffness is unknown.
     """
-    pressure = Fn / (math.pi * a * b)
+    if weights.stiffness is None:
+        raise invalid("weights.stiffness", "= None: chi depends on the stiffness. Use weights of hertz_weights or of a computed contact.")
     slope = float(np.mean((np.diff(record.heights, axis=1) / record.spacing) ** 2))
     if len(record.y) > 1:
         slope += float(np.mean((np.diff(record.heights, axis=0) / np.diff(record.y)[:, None]) ** 2))
     elif across == "isotropic":
         slope *= 2
-    return modulus * math.sqrt(slope) / (2 * pressure)
-
-
-def check_first_order(chi: float) -> None:
-    """Warns (ContactWarning) if chi exceeds 0.3."""
+    a, b = weights.semi_axes
+    modulus = weights.stiffness * ellipse_of_axes(a, b, Load(1.0, True, 1.0)).approach / 1.5
+    chi = modulus * math.sqrt(slope) * math.pi * a * b / (2 * Fn)
     if chi > _LARGEST_CHI:
         sentence = f"chi = {chi:.2g}: the filter to first order errs by 1 dB and more above {_LARGEST_CHI}. Solve the contact at each place with roll_over."
-        warnings.warn(ContactWarning(sentence), stacklevel=3)
+        warnings.warn(ContactWarning(sentence), stacklevel=2)
+    return chi
 
 
 def roll_over(
@@ -99,7 +101,11 @@ def roll_over(
     x, y = np.meshgrid(problem.grid.x, problem.grid.y)
     smooth = _smooth_gap(problem, x, y)
     found = np.empty((2, len(along)))
-    with client.session(normal_problem(problem, smooth, problem.Fn)) as session:
+    normal = ContactProblem(
+        problem.grid, problem.upper, smooth, lower=problem.lower, ics=problem.ics, upper_ics=problem.upper_ics, lower_ics=problem.lower_ics,
+        columns=problem.columns, sheet_flexibility=problem.sheet_flexibility, normal=problem.normal, Fn=problem.Fn,
+    )  # fmt: skip
+    with client.session(normal) as session:
         level = session.step()
         for i, place in enumerate(along):
             heights = heights_at(surface, problem.grid.x + place, problem.grid.y) if isinstance(surface, Record) else surface(x + place, y)

@@ -60,6 +60,12 @@ class ContactWeights:
         """The largest distance of a point from x = 0 (mm)."""
         return float(np.abs(self.x).max())
 
+    @property
+    def semi_axes(self) -> tuple[float, float]:
+        """Semi-axes of the ellipse with the same second moments, a^2/3 and b^2/3 (mm)."""
+        a, b = (math.sqrt(3 * float(self.values @ (part - self.values @ part) ** 2)) for part in (self.x, self.y))
+        return a, b
+
     def points(self) -> ContactWeights:
         """Returns the weights themselves."""
         return self
@@ -100,6 +106,11 @@ class EllipseWeights:
     def reach(self) -> float:
         """The largest distance of a point from x = 0 (mm)."""
         return self.a
+
+    @property
+    def semi_axes(self) -> tuple[float, float]:
+        """Both semi-axes (mm)."""
+        return self.a, self.b
 
     def points(self) -> ContactWeights:
         """Returns points of the ellipse: its weights are the projection of a uniform hemisphere."""

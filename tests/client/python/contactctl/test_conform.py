@@ -127,3 +127,23 @@ def test_invalid_runs_end_with_2(ctl, words, sentence):
     found = ctl("conform", "en14363", *words)
     assert (found.code, found.out) == (2, "")
     assert sentence in found.err
+
+
+def test_contact_filters_meet_the_directive(ctl):
+    pytest.importorskip("matplotlib")
+    found = ctl("conform", "cnossos", "--csv", "filters.csv", "--plot", "filters.png", "--json")
+    assert (found.code, found.err) == (0, "")
+    assert [(one["load"], one["diameter"]) for one in found.json["columns"]] == [(50, 360), (50, 680), (50, 920), (25, 920), (100, 920)]
+    assert len(found.json["rows"]) == 175
+    rows = list(csv.DictReader((ctl.folder / "filters.csv").read_text().splitlines()))
+    assert [float(row["computed"]) for row in rows] == [row["computed"] for row in found.json["rows"]]
+    assert (ctl.folder / "filters.png").read_bytes()[1:4] == b"PNG"
+    solved = ctl("conform", "cnossos", "--solve", "--json").json
+    near = [(one["computed"], other["computed"]) for one, other in zip(solved["rows"], found.json["rows"]) if one["wavelength"] >= 16]
+    np.testing.assert_allclose(*zip(*near), atol=0.1)
+
+
+def test_another_rail_head_ends_with_1(ctl):
+    found = ctl("conform", "cnossos", "--rail-radius", 800)
+    assert found.code == 1
+    assert "3 of 5 columns lie outside their tolerances: 50 kN, 920 mm" in found.err

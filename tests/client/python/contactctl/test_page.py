@@ -38,6 +38,8 @@ def folder(own):
     x = (np.arange(40) - 19.5) * 0.06
     np.savetxt(own.folder / "gap.csv", (x[:, None] ** 2 + x**2) / 100, delimiter=",")
     own.write("head.csv", "y;z\n" + "".join(f"{y};{y * y / 600:.4f}\n".replace(".", ",") for y in range(-36, 37)))
+    places = np.arange(1200)
+    own.write("rail.csv", "x (m);r (um)\n" + "".join(f"{x / 1e3};{5 * np.sin(x / 7):.3f}\n".replace(".", ",") for x in places))
     program = own.folder / "bin" / "contactctl"
     program.parent.mkdir()
     program.write_text(f'#!/bin/sh\nexec {shlex.quote(sys.executable)} -m contactctl "$@"\n')

@@ -30,6 +30,7 @@ def nested(ctl):
     """Creates adjacent folders with files; commands are given those of `own`."""
     for name in ("own", "other"):
         (ctl.folder / name).mkdir()
+    (ctl.folder / "own" / "rail.csv").write_text("x (mm);r (um)\n" + "".join(f"{x};{x % 7}\n" for x in range(1200)))
     (ctl.folder / "other" / "gap.txt").write_text("1 1\n1 1\n")
     (ctl.folder / "other" / "rail.txt").write_text("secret words\n1 2\n3\n")
     (ctl.folder / "other" / "states.csv").write_text(STATES)
@@ -43,6 +44,7 @@ DOCUMENTS = {
     "problem of a study": (["study"], "{problem: NAME, vary: {Fn: [1, 2]}}", "problem.yaml"),
     "array of a study": (["study"], "{problem: {grid: {nx: 2, ny: 2, dx: 1, dy: 1}}, vary: {gap.array: [{$file: NAME}]}}", "gap.txt"),
     "states": (["wear"], STUDY.replace("states.csv", "NAME"), "states.csv"),
+    "contact of a roughness": (["roughness", "own/rail.csv", "--case"], "{grid: {nx: 2, ny: 2, dx: 1, dy: 1}, gap: {array: {$file: NAME}}}", "gap.txt"),
     "steps": (["session"], "{open: {grid: {nx: 2, ny: 2, dx: 1, dy: 1}}, steps: NAME}", "states.csv"),
 }
 

@@ -38,7 +38,9 @@ COMMANDS = [
     "contact run case.inp",
     "contact check case.inp",
     "profile show head.txt",
+    "roughness rail.csv --case normal.yaml --across alike",
     "conform en15302 --own",
+    "conform cnossos --solve",
     "profiles write S1002",
 ]
 
@@ -52,6 +54,8 @@ def files(lonely):
     lonely.write("case.inp", FIRST + END)
     lonely.write("head.txt", PROFILE)
     lonely.write("curve.txt", "0.0005 0.1\n0.001 0.18\n0.002 0.27\n0.004 0.3\n")
+    lonely.write("rail.csv", "x (mm);r (um)\n" + "".join(f"{x};{x % 7}\n" for x in range(1200)))
+    lonely.write("normal.yaml", "grid: {nx: 40, ny: 40, dx: 0.36, dy: 0.27}\nbodies: {upper: {G: 82000, nu: 0.28}}\nics: {source: analytic}\ngap: {paraboloid: {Rx: 460, Ry: 300}}\nFn: 50000\n")
     rolling = "grid: {nx: 11, ny: 11, dx: 1.1, dy: 1.1}\nbodies: {upper: {G: 82000, nu: 0.28}}\nics: {source: analytic}\n"
     lonely.write("rolling.yaml", rolling + "gap: {paraboloid: {Rx: 460, Ry: 300}}\nFn: 30000\nmodel: fastsim\nfriction: {mu: 0.3, rolling: {xi: 1e-3}}\n")
     return lonely
