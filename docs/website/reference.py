@@ -36,7 +36,7 @@ def c() -> str:
 
 
 #: Modules with names of their own, beside those that the package itself exports.
-MODULES = ("wheel_rail", "contact_files", "materials")
+MODULES = ("wheel_rail", "contact_files", "materials", "roughness")
 
 
 def python(modules: list[str]) -> str:

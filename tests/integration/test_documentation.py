@@ -126,6 +126,17 @@ def run_page(page: str, daemon: Any) -> dict[str, Any]:
     return names
 
 
+def test_the_guide_to_roughness(shared, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    noise = np.cumsum(np.random.default_rng(1).standard_normal(3000)) * 0.1
+    rows = "".join(f"{i / 1e3:.3f};{r:.4f}\n".replace(".", ",") for i, r in enumerate(noise))
+    (tmp_path / "rail.csv").write_text("x (m);r (um)\n" + rows)
+    names = run_examples("roughness.md", shared)
+    assert names["effective_levels"].at(20) < names["measured"].at(20) - 5
+    assert names["wide"].band_levels(20) == pytest.approx(-6.8, abs=0.1)
+    assert names["run"].areas == pytest.approx(1, abs=0.2)
+
+
 def test_the_guide_to_contact_problems(shared):
     names = run_examples("contact.md", shared)
     assert abs(names["force"] / names["expected"] - 1).max() < 0.02

@@ -25,7 +25,7 @@ OUTPUTS = [
     (["profiles", "write", "S1002"], ["S1002.prw", "S1002.whl"]),
     (["study", "sweep.yaml", "--csv", "rows.csv", "--hdf5", "rows.h5"], ["rows.csv", "rows.h5"]),
     (["compare", "contact.yaml", "--models", "full,hertz", "--csv", "models.csv", "--plot", "models.png"], ["models.csv", "models.png"]),
-    (["roughness", "rail.csv", "--load", "5e4", "--csv", "levels.csv", "--plot", "levels.png"], ["levels.csv", "levels.png"]),
+    (["roughness", "record.csv", "--load", "5e4", "--csv", "levels.csv", "--plot", "levels.png"], ["levels.csv", "levels.png"]),
     (["conform", "cnossos", "--csv", "filters.csv", "--plot", "filters.png"], ["filters.csv", "filters.png"]),
     *((["ic", "export", "table.json", "--output", f"table.{ending}"], [f"table.{ending}"]) for ending in ("h5", "npz", "txt")),
 ]
@@ -42,7 +42,7 @@ def there(ctl):
     ctl.write("sweep.yaml", SWEEP)
     ctl.write("wear.yaml", STUDY.replace("until: 60", "until: 20"))
     ctl.write("states.csv", STATES)
-    ctl.write("rail.csv", "x (mm);r (um)\n" + "".join(f"{x};{x % 7}\n" for x in range(1200)))
+    ctl.write("record.csv", "x (mm);r (um)\n" + "".join(f"{x};{x % 7}\n" for x in range(1200)))
     ctl.write("table.json", {"material": {"G": 82000, "nu": 0.28}, "grid": {"nx": 4, "ny": 4, "dx": 1, "dy": 1}, "ics": {"source": "analytic"}})
     return ctl
 
