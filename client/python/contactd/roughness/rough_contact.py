@@ -128,12 +128,15 @@ def heights_at(record: Record, x: Array, y: Array) -> Array:
     if first.min() < 0 or first.max() + 2 * _TAPS > record.heights.shape[1]:
         margin = _TAPS * record.spacing
         raise invalid("places", f"= {x.min():g} to {x.max():g} mm with the contact: the record must extend {margin:g} mm beyond. Use places between its ends.")
+    # Lines of a map beyond the contact cost time only.
+    low, high = np.searchsorted(record.y, [y.min(), y.max()])
+    near = slice(max(0, low - 1), high + 1)
     taps = first[:, None] + np.arange(2 * _TAPS)
     offset = place[:, None] - taps
     weights = np.sinc(offset) * np.sinc(offset / _TAPS)
     weights /= weights.sum(axis=1, keepdims=True)
-    lines = np.einsum("lxt,xt->lx", record.heights[:, taps], weights)
-    shares = np.stack([np.interp(y, record.y, line) for line in np.eye(len(record.y))])
+    lines = np.einsum("lxt,xt->lx", record.heights[near][:, taps], weights)
+    shares = np.stack([np.interp(y, record.y[near], line) for line in np.eye(len(lines))])
     return np.asarray(shares.T @ lines)
 
 
