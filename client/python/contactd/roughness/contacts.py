@@ -34,10 +34,11 @@ _OF_BODIES = ("bodies", "ics", "sheet_flexibility", "regions")  #: Fields of a p
 
 
 def contact_weights(client: Client, problem: ContactProblem | Mapping[str, Any], solution: ContactSolution | None = None) -> ContactWeights:
-    """Returns the weights of a contact problem, or of its parameters as on the wire, by one more solve: the flat punch
-    with the outline of its contact.
+    """Returns the weights of a contact problem, or of its parameters as on the wire.
 
-    `solution` is that of the problem with the field pressure; without it, the problem is solved first. Bodies can be any
+    `solution` is that of the problem; without it, the problem is solved first. With the field pressure_by_approach,
+    which requires derivatives, it contains the weights. With the field pressure, one more solve computes them: the flat
+    punch with the outline of the contact. Bodies can be any
     that contactd supports on a plane. Use at least 32 elements across the contact. Raises InvalidArgument without
     contact, and for a contact that reaches the border of the grid.
     """
@@ -47,14 +48,14 @@ def contact_weights(client: Client, problem: ContactProblem | Mapping[str, Any],
     grid = read(Grid, params.get("grid"), "problem.grid")
     if solution is None:
         solution = _solved(client, params, grid)
-    return _weights_by_punch(client, params, grid, solution)
+    return _weights(client, params, grid, solution)
 
 
 def wheel_rail_weights(client: Client, setup: WheelRailSetup | Mapping[str, Any], solution: WheelRailSolution) -> ContactWeights:
     """Returns the weights of all patches of a wheel by their common vertical approach: their values are in proportion to
     the vertical stiffness of each, and refer to vertical heights.
 
-    `solution` is the answer of Client.wheel_rail for the set-up with the field pressure. x points
+    `solution` is the answer of Client.wheel_rail for the set-up with one of the fields that contact_weights names. x points
     forwards, and y to the right from the origin of the rail's profile (mm). The stiffness is dFz/dz of the wheel (N/mm). Profiles may be worn. Raises
     InvalidArgument without contact, and for conformal contact. Warns (ContactWarning) of patches with several regions.
     """
@@ -68,7 +69,7 @@ def wheel_rail_weights(client: Client, setup: WheelRailSetup | Mapping[str, Any]
     bodies = {"bodies": {"upper": params_of(steel, "upper")}, "ics": {"source": "analytic"}, **params}
     parts, origin = [], solution.rail_frame.y
     for patch in solution.patches:
-        found = _weights_by_punch(client, bodies, patch.place.grid, patch.solution)
+        found = _weights(client, bodies, patch.place.grid, patch.solution)
         place, angle = patch.place.reference, patch.place.reference.angle
         stiffness = float(found.stiffness or 0) * math.cos(angle) ** 2
         parts.append((place.x + found.x, place.y - origin + found.y * math.cos(angle), found.values * stiffness, found.size))
@@ -76,18 +77,23 @@ def wheel_rail_weights(client: Client, setup: WheelRailSetup | Mapping[str, Any]
     return ContactWeights(x, y, values, parts[0][3], float(values.sum()))
 
 
-def _weights_by_punch(client: Client, params: Mapping[str, Any], grid: Grid, solution: ContactSolution) -> ContactWeights:
-    if (pressure := getattr(solution, "pressure", None)) is None:
+def _weights(client: Client, params: Mapping[str, Any], grid: Grid, solution: ContactSolution) -> ContactWeights:
+    gains = getattr(solution, "pressure_by_approach", None)
+    if (outline := getattr(solution, "pressure", None) if gains is None else gains) is None:
         raise invalid("solution", "= no pressures: the outline of the contact is unknown. Request fields=['pressure'].")
-    touching = np.asarray(pressure) > 0
+    touching = np.asarray(outline) != 0
     if not touching.any():
         raise invalid("solution", "= no contact: there are no weights. Increase the approach or the force.")
     if touching[[0, -1]].any() or touching[:, [0, -1]].any():
         raise invalid("problem.grid", "= a contact that reaches its border: the outline is cut off. Use a larger grid.")
-    bodies = {name: params[name] for name in _OF_BODIES if params.get(name) is not None}
-    punch = _solved(client, {**bodies, "grid": params_of(grid, "grid"), "gap": {"array": np.where(touching, 0.0, _APART)}, "Fn": 1.0}, grid)
+    if gains is None:
+        bodies = {name: params[name] for name in _OF_BODIES if params.get(name) is not None}
+        gap = np.where(touching, 0.0, _APART)
+        punch = _solved(client, {**bodies, "grid": params_of(grid, "grid"), "gap": {"array": gap}, "Fn": 1.0}, grid)
+        gains = punch.pressure / punch.approach
     x, y = np.meshgrid(grid.x, grid.y)
-    return ContactWeights(x[touching], y[touching], punch.pressure[touching], (grid.dx, grid.dy), punch.Fn / punch.approach)
+    size = grid.dx, grid.dy
+    return ContactWeights(x[touching], y[touching], gains[touching], size, float(gains[touching].sum()) * grid.dx * grid.dy)
 
 
 def _solved(client: Client, params: Mapping[str, Any], grid: Grid) -> ContactSolution:

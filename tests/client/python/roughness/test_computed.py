@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -49,6 +50,17 @@ def test_the_stiffness_is_the_derivative_of_the_force(client):
     solution = client.solve(given.replace(Fn=None, approach=client.solve(given).approach, derivatives=True), fields=["pressure"])
     weights = contact_weights(client, given, solution)
     assert weights.stiffness == pytest.approx(solution.derivatives.Fn.approach, rel=1e-5)
+
+
+def test_derivatives_of_pressures_need_no_further_solve(client):
+    given = problem(32)
+    steps = [client.solve(given.replace(Fn=None, approach=at), fields=["pressure"]) for at in (0.06599, 0.06601)]
+    gains = np.where((steps[0].pressure > 0) & (steps[1].pressure > 0), (steps[1].pressure - steps[0].pressure) / 2e-5, 0)
+    middle = contact_weights(client, given.replace(Fn=None, approach=0.066))
+    found = contact_weights(None, given, SimpleNamespace(pressure_by_approach=gains))
+    assert len(found.values) == len(middle.values)
+    np.testing.assert_allclose(found.values, middle.values, rtol=1e-3)
+    assert found.stiffness == pytest.approx(middle.stiffness, rel=1e-4)
 
 
 def test_weights_are_symmetric_and_rotate_with_the_contact(client):
