@@ -113,7 +113,7 @@ def cnossos(
 ) -> None:  # fmt: skip
     """Compare contact filters with table G-2 of Directive 2002/49/EC (CNOSSOS-EU), as amended by (EU) 2021/1226.
 
-    Exit code 1: a column differs by more than 2.5 dB down to 10 mm, or by more than 2.8 dB down to 3.15 mm.
+    Exit code 9: a column differs by more than 2.5 dB down to 10 mm, or by more than 2.8 dB down to 3.15 mm.
     """
     _check_outputs(plot, table, _FILTER_COLUMNS)
     with Bar("filters") as bar:
@@ -136,7 +136,7 @@ def cnossos(
     given = {"columns": [{"load": one.load, "diameter": one.diameter, "inside": one.is_inside} for one in found], "rows": [dict(zip(_FILTER_COLUMNS, row)) for row in cells]}
     emit(setting().json, given, listing("Largest differences from table G-2, 2002/49/EC", columns, shown))
     if outside := [one.name for one in found if not one.is_inside]:
-        raise Ended(Code.DEFECT, f"{len(outside)} of {len(found)} columns lie outside their tolerances: {_first(outside)}.")
+        raise Ended(Code.OUTSIDE, f"{len(outside)} of {len(found)} columns lie outside their tolerances: {_first(outside)}.")
 
 
 def _check_outputs(plot: str | None, table: Path | None, columns: Sequence[str]) -> None:
