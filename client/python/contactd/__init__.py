@@ -27,6 +27,7 @@ from .calls.answer_warnings import ContactWarning
 from .calls.contact_session import Session
 from .calls.wheel_rail_session import WheelRailSession
 from .client import Client
+from .creep_tables import CreepForces, CreepTable
 from .direct import creep_curve, solve
 from .errors import (
     Aborted,
@@ -134,6 +135,8 @@ __all__ = [
     "ContactWear",
     "ContactdError",
     "CreepCurve",
+    "CreepForces",
+    "CreepTable",
     "DaemonFailed",
     "DamageFunction",
     "DeadlineExceeded",

@@ -1,4 +1,4 @@
-// The functions of contactd_local with which contactctl builds and checks tables of creep forces.
+// The functions of contactd_local for tables of creep forces.
 #pragma once
 
 #include "python_api.hpp"

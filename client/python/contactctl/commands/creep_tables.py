@@ -5,10 +5,11 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Sequence
+from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
 
-import numpy as np
+import click
 import typer
 
 from ..codes import Code, Ended
@@ -17,18 +18,37 @@ from ..files import writable
 from ..output import counted, emit, facts, note, size, span
 from ..progress import Bar
 from ..study.journal import Journal
-from ..study.shares import Rows, best, check_ended, rows_beside, share_of
-from ..table.building import build_by_dask, build_here
-from ..table.checking import check_table
-from ..table.extension import read_table, write_table
-from ..table.plan import Row, TablePlan
+from ..study.shares import best, check_ended, rows_beside, share_of
+from ..table.building import Solve, Unit, solve_by_dask, solve_here
+from ..table.check_plan import CheckPlan, Search
+from ..table.checking import Findings, certify
+from ..table.nodes import node_row
+from ..table.plan import TablePlan, answers_fit, opened
+from ..table.recipes import RECIPES, recipe_named
 
 __all__ = ["add_to"]
 
 File = Annotated[Path, typer.Argument(metavar="FILE", help="The file of the table.")]
 Workers = Annotated[int, typer.Option("--workers", "-w", min=1, max=128, help="Number of requests at a time.")]
-Grids = Annotated[tuple[int, int], typer.Option("--grids", metavar="N N", help="Elements along the contact on both grids of each solve.")]
+Grids = Annotated[
+    tuple[int, int] | None,
+    typer.Option(
+        "--grids", metavar="N N", help="Other numbers of elements along the contact for a recipe of two grids."
+    ),
+]
+RowsFile = Annotated[
+    Path | None, typer.Option("--rows", help="File of the solved rows. Default: FILE.rows, or FILE.check.rows.")
+]
+ShareText = Annotated[
+    str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Solve a share of the rows: 0/16 to 15/16 are all.")
+]
+Dask = Annotated[
+    str | None,
+    typer.Option("--dask", metavar="SCHEDULER", help="Use the workers of a Dask cluster, such as tcp://host:8786."),
+]
+Retry = Annotated[bool, typer.Option("--retry", help="Solve rows again that failed or did not converge.")]
 _PROCESSORS = os.cpu_count() or 1
+_NAMES = ", ".join(RECIPES)
 
 
 def add_to(app: typer.Typer) -> None:
@@ -39,17 +59,89 @@ def add_to(app: typer.Typer) -> None:
     app.add_typer(family, name="table")
 
 
+class _Work:
+    """Solves rows in a journal, or a share of them, and finds those of other shares."""
+
+    def __init__(self, rows: Path, share: str | None, workers: int, dask: str | None, retry: bool) -> None:
+        self.part = None if share is None else share_of(share)
+        self.file, self.workers, self.dask, self.retry = rows, workers, dask, retry
+
+    def solved(
+        self, solve: Solve, units: Sequence[Unit], counts: Sequence[dict[str, int]]
+    ) -> list[dict[str, Any]] | None:
+        """Returns the rows of all units, or None while other shares have not solved theirs. `counts` contains the lengths
+        of their answers. Raises Ended if rows failed.
+        """
+        own = units if self.part is None else self.part.cases(units)
+        sizes = {unit.key: count for unit, count in zip(units, counts, strict=True)}
+        with Journal(self.file if self.part is None else self.part.file(self.file)) as journal:
+            if self.part is None:
+                check_ended(self.file)
+            there = best(journal.rows, rows_beside(self.file, journal.path))
+            unwanted = {
+                key
+                for key, lengths in sizes.items()
+                if key in there and (not answers_fit(there[key], lengths) or (self.retry and there[key]["code"]))
+            }
+            if unwanted & journal.rows.keys():
+                journal.forget(unwanted)
+            there = {key: there[key] for key in (sizes.keys() & there.keys()) - unwanted}
+            self._solve(solve, [unit for unit in own if unit.key not in there], len(own), journal)
+            found = best(journal.rows, there)
+        failed = [found[key] for key in sizes if key in found and "answers" not in found[key]]
+        if failed:
+            raise Ended(
+                Code(min(row["code"] for row in failed)),
+                f"{counted(len(failed), 'row')} failed: {failed[0]['error']} --retry solves them again.",
+            )
+        return [found[key] for key in sizes] if sizes.keys() <= found.keys() else None
+
+    def _solve(self, solve: Solve, todo: Sequence[Unit], total: int, journal: Journal) -> None:
+        known, began = len(journal.rows), time.monotonic()
+        there = total - len(todo)
+        if there:
+            note(f"{there} of {total} rows are solved.")
+        if not todo:
+            return
+        with Bar("table") as bar:
+
+            def on_row() -> None:
+                done = len(journal.rows) - known
+                left = f"about {span((time.monotonic() - began) / done * (len(todo) - done))} to go" if done else ""
+                bar.show((there + done) / total, f"{there + done} of {total} rows", left)
+
+            try:
+                on_row()
+                if self.dask is not None:
+                    solve_by_dask(self.dask, setting(), solve, todo, journal, on_row)
+                    return
+                with connected(workers=self.workers, local_unless_named=True) as client:
+                    solve_here(client, solve, todo, journal, min(self.workers, len(todo)), on_row)
+            except BaseException:
+                note(f"{there + len(journal.rows) - known} of {total} rows are solved; repeat the command to continue.")
+                raise
+
+
 def build(
     file: File,
-    nu: Annotated[list[float], typer.Option("--nu", help="Poisson's ratio; repeat it for a table that interpolates.")] = [0.28],  # noqa: B006
-    ratios: Annotated[tuple[float, float], typer.Option("--ratios", metavar="A/B A/B", help="Range of a/b.")] = (0.05, 20),
-    cells: Annotated[tuple[int, int, int, int], typer.Option("--cells", metavar="N N N N", help="Cells of a/b, two angles, and creepage.")] = (32, 40, 16, 32),
-    grids: Grids = (36, 72),
-    rows: Annotated[Path | None, typer.Option("--rows", help="File of the solved rows. Default: FILE.rows.")] = None,
+    nu: Annotated[
+        list[float], typer.Option("--nu", help="Poisson's ratio; repeat it for a table that interpolates.")
+    ] = [0.28],  # noqa: B006
+    ratios: Annotated[tuple[float, float], typer.Option("--ratios", metavar="A/B A/B", help="Range of a/b.")] = (
+        0.05,
+        20,
+    ),
+    cells: Annotated[
+        tuple[int, int, int, int],
+        typer.Option("--cells", metavar="N N N N", help="Cells of a/b, two angles, and creepage."),
+    ] = (32, 40, 16, 32),
+    recipe: Annotated[str, typer.Option("--recipe", help=f"Grids of the solves: {_NAMES}.")] = "double",
+    grids: Grids = None,
+    rows: RowsFile = None,
     workers: Workers = _PROCESSORS,
-    share: Annotated[str | None, typer.Option("--share", metavar="INDEX/COUNT", help="Solve a share of the rows: 0/16 to 15/16 are all.")] = None,
-    dask: Annotated[str | None, typer.Option("--dask", metavar="SCHEDULER", help="Use the workers of a Dask cluster, such as tcp://host:8786.")] = None,
-    retry: Annotated[bool, typer.Option("--retry", help="Solve rows again that failed or did not converge.")] = False,
+    share: ShareText = None,
+    dask: Dask = None,
+    retry: Retry = False,
 ) -> None:
     """Build a table of creep forces.
 
@@ -57,102 +149,107 @@ def build(
 
     Exit codes: 5 if nodes did not converge, which the table states; 4, 7 or 8 if rows failed.
     """
-    plan = TablePlan(tuple(nu), ratios, cells, grids)
+    plan = TablePlan(tuple(nu), ratios, cells, recipe_named(recipe, grids))
     writable("FILE", file)
-    rows = rows or Path(f"{file}.rows")
-    part = None if share is None else share_of(share)
-    wanted = plan.rows if part is None else part.cases(plan.rows)
-    with Journal(rows if part is None else part.file(rows)) as journal:
-        if part is None:
-            check_ended(rows)
-        found = _solved(plan, wanted, journal, rows_beside(rows, journal.path), workers, dask, retry)
-    failed = [row for row in found if "answers" not in row]
-    if failed:
-        raise Ended(Code(min(row["code"] for row in failed)), f"{counted(len(failed), 'row')} failed: {failed[0]['error']} --retry solves them again.")
-    if part is None:
-        write_table(file, plan, found)
-    unconverged = sum(len(row["answers"]["unconverged"]) for row in found)
-    nodes = len(found) * (cells[2] + 1) * (cells[3] - 1)
-    value = {"file": None if part else str(file), "rows": len(found), "nodes": nodes, "unconverged": unconverged}
-    emit(setting().json, value, f"{counted(len(found), 'row')}, {counted(nodes, 'node')}" if part else f"{file}: {size(file.stat().st_size)}, {counted(nodes, 'node')}")
+    work = _Work(rows or Path(f"{file}.rows"), share, workers, dask, retry)
+    counts = [{"forces": 3 * row.nodes, "fallback": -1, "unconverged": -1} for row in plan.rows]
+    found = work.solved(partial(node_row, plan=plan), plan.rows, counts)
+    if work.part is not None:
+        value: dict[str, Any] = {"file": None, "rows": len(work.part.cases(plan.rows))}
+        emit(setting().json, value, f"{counted(value['rows'], 'row')} of {len(plan.rows)}")
+        return
+    assert found is not None, "Without shares, all rows are solved."
+    plan.write(file, found)
+    nodes, unconverged = sum(row.nodes for row in plan.rows), sum(len(row["answers"]["unconverged"]) for row in found)
+    value = {"file": str(file), "rows": len(found), "nodes": nodes, "unconverged": unconverged}
+    emit(setting().json, value, f"{file}: {size(file.stat().st_size)}, {counted(nodes, 'node')}")
     if unconverged:
-        raise Ended(Code.NOT_CONVERGED, f"{counted(unconverged, 'node')} did not converge; the description of the table states their number.")
-
-
-def _solved(
-    plan: TablePlan, wanted: Sequence[Row], journal: Journal, beside: Rows, workers: int, dask: str | None, retry: bool
-) -> list[dict[str, Any]]:
-    """Returns the wanted rows; `beside` contains those of other files."""
-    there = best(journal.rows, beside)
-    keys = {row.key for row in wanted}
-    unwanted = {key for key in keys & there.keys() if not plan.fits(there[key]) or (retry and there[key]["code"])}
-    if unwanted & journal.rows.keys():
-        journal.forget(unwanted)
-    there = {key: there[key] for key in (keys & there.keys()) - unwanted}
-    todo = [row for row in wanted if row.key not in there]
-    if there:
-        note(f"{len(there)} of {len(wanted)} rows are solved.")
-    if todo:
-        try:
-            _solve(plan, todo, len(there), journal, workers, dask)
-        except BaseException:
-            note(f"{len(keys & (there.keys() | journal.rows.keys()))} of {len(wanted)} rows are solved; repeat the command to continue.")
-            raise
-    found = best(journal.rows, there)
-    return [found[row.key] for row in wanted]
-
-
-def _solve(plan: TablePlan, todo: Sequence[Row], there: int, journal: Journal, workers: int, dask: str | None) -> None:
-    known, began = len(journal.rows), time.monotonic()
-    with Bar("table") as bar:
-
-        def on_row() -> None:
-            done = len(journal.rows) - known
-            left = f"about {span((time.monotonic() - began) / done * (len(todo) - done))} to go" if done else ""
-            bar.show((there + done) / (there + len(todo)), f"{there + done} of {there + len(todo)} rows", left)
-
-        on_row()
-        if dask is not None:
-            build_by_dask(dask, setting(), plan, todo, journal, on_row)
-            return
-        with connected(workers=workers, local_unless_named=True) as client:
-            build_here(client, plan, todo, journal, min(workers, len(todo)), on_row)
+        raise Ended(
+            Code.NOT_CONVERGED,
+            f"{counted(unconverged, 'node')} did not converge; the description of the table lists them.",
+        )
 
 
 def show(file: File) -> None:
     """Show the description of a table, after checking its digest."""
-    _, described, _ = read_table(file, None, np.empty((0, 4)))
-    cells = " x ".join(map(str, described["cells"]))
+    table, plan = opened(file)
     rows = [
-        ("Poisson's ratios", ", ".join(f"{value:g}" for value in described["nu"])),
-        ("a/b", "{:g} to {:g}".format(*described["ratios"])),
-        ("cells", cells),
-        ("nodes", described["nodes"]),
-        ("not converged", described["unconverged"]),
-        ("elements", " and ".join(f"{n} x {m}" for n, m in described["recipe"]["elements"])),
-        ("made by", described["program"]),
+        ("Poisson's ratios", ", ".join(f"{value:g}" for value in plan.nu)),
+        ("a/b", "{:g} to {:g}".format(*plan.ratios)),
+        ("cells", " x ".join(map(str, plan.cells))),
+        ("nodes", table.description["nodes"]),
+        ("coarser grids", len(table.description["fallback"])),
+        ("not converged", len(table.description["unconverged"])),
+        ("recipe", plan.recipe.text),
+        ("made by", table.description["program"]),
     ]
-    emit(setting().json, described, facts(file.name, rows))
+    rows.append(("errors", table.statement or "not checked; contactctl table check does this"))
+    emit(setting().json, table.description, facts(file.name, rows))
 
 
 def check(
     file: File,
-    nu: Annotated[float | None, typer.Option("--nu", help="Poisson's ratio. Default: the first of the table.")] = None,
-    points: Annotated[int, typer.Option("--points", min=10, max=10_000_000, help="Number of random states.")] = 1000,
-    seed: Annotated[int, typer.Option("--seed", min=0, help="Seed of the states.")] = 7,
-    grids: Grids = (101, 201),
+    nu: Annotated[
+        float | None, typer.Option("--nu", help="Only this Poisson's ratio. Default: random ones of the table.")
+    ] = None,
+    points: Annotated[
+        int,
+        typer.Option(
+            "--points", min=10, max=10_000_000, help="Number of random states; about as many cover the cells."
+        ),
+    ] = 10_000,
+    seed: Annotated[int, typer.Option("--seed", min=0, max=2**63 - 1, help="Seed of the states.")] = 7,
+    searches: Annotated[
+        int, typer.Option("--searches", min=0, max=100_000, help="Number of searches from the worst states.")
+    ] = 100,
+    recipe: Annotated[
+        str | None,
+        typer.Option(
+            "--recipe", help=f"Grids of the solves, not those of the table: {_NAMES}. Default: square or fine."
+        ),
+    ] = None,
+    grids: Grids = None,
+    rows: RowsFile = None,
     workers: Workers = _PROCESSORS,
+    share: ShareText = None,
+    dask: Dask = None,
+    retry: Retry = False,
 ) -> None:
-    """Compare a table with fresh solves of random states.
+    """Compare a table with fresh solves, and write bounds of its errors into its file.
 
-    The solves use square grids, which no table is built by.
+    If it is killed and started again, it continues. With --share, it only solves: first the states, then, once all
+    shares have solved theirs and the command is repeated, the searches. With --nu, it does not write into a table of
+    several Poisson's ratios.
     """
-    with connected(workers=workers, local_unless_named=True) as client, Bar("check") as bar:
-        found = check_table(client, file, nu, points, seed, grids, bar.show)
-    rows = [
-        ("states", f"{points} with Poisson's ratio {found['nu']:g}, seed {seed}"),
-        ("solves", f"{grids[0]} x {grids[0]} and {grids[1]} x {grids[1]} elements, extrapolated"),
-        *((name, f"mean {of['mean']:.2g}, 90 % {of['90 %']:.2g}, 99 % {of['99 %']:.2g}, largest {of['largest']:.2g}") for name, of in found["errors"].items()),
-        ("not converged", found["unconverged"]),
-    ]
-    emit(setting().json, found, facts(f"Errors of {file.name}", rows))
+    table, plan = opened(file, nu)
+    writable("FILE", file)
+    named = recipe_named(recipe or ("fine" if plan.recipe.name == "square" else "square"), grids)
+    if named.name == plan.recipe.name:
+        raise click.UsageError(f"--recipe is {named.name}, which built this table; give another one of {_NAMES}.")
+    second = RECIPES["fine" if named.name == "square" else "square"]
+    checked = CheckPlan(file.absolute(), plan, None if nu is None else table.nu, points, seed, named, second)
+    work = _Work(rows or Path(f"{file}.check.rows"), share, workers, dask, retry)
+    states = work.solved(checked.solved, checked.samples, [checked.counts] * len(checked.samples))
+    found: list[dict[str, Any]] | None = None
+    starts: list[Search] = []
+    if states is not None:
+        findings = Findings(checked, states)
+        starts = findings.searches(searches)
+        found = work.solved(checked.solved, starts, [{"point": 4, "errors": 2}] * len(starts))
+    if work.part is not None:
+        parts = {"samples": len(work.part.cases(checked.samples)), "searches": len(work.part.cases(starts))}
+        left = "" if found is not None else "; repeat the command when all shares have ended"
+        emit(setting().json, parts, ", ".join(f"{count} {name}" for name, count in parts.items()) + left)
+        return
+    assert found is not None, "Without shares, all rows are solved."
+    result = certify(checked, findings, starts, found, write=nu is None or len(plan.nu) == 1)
+    lines = [(name, _spread(of)) for name, of in result["errors"].items()]
+    lines.append(("statement", result["statement"]))
+    emit(setting().json, result, facts(f"Errors of {file.name}: forces, moments", lines))
+
+
+def _spread(of: dict[str, Any]) -> str:
+    pairs = ((name, pair) for name, pair in of.items() if name != "states")
+    return "; ".join(
+        ["{} states".format(of["states"]), *("{} {:.2g}, {:.2g}".format(name, *pair) for name, pair in pairs)]
+    )

@@ -1,9 +1,9 @@
-"""Solves the rows of a table by threads of this process, or by the workers of a Dask cluster."""
+"""Solves rows of a table or of its check by threads of this process, or by the workers of a Dask cluster."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
+from typing import Any, Protocol
 
 from contactd import Client
 
@@ -11,27 +11,41 @@ from ..common import Setting
 from ..study.by_dask import client_of_worker, dask_at
 from ..study.journal import Journal
 from ..study.threads import Add, by_threads
-from .nodes import solved_row
-from .plan import Row, TablePlan
 
-__all__ = ["build_by_dask", "build_here"]
+__all__ = ["Solve", "Unit", "solve_by_dask", "solve_here"]
 
 
-def build_here(client: Client, plan: TablePlan, rows: Sequence[Row], journal: Journal, workers: int, on_row: Callable[[], None]) -> None:
+class Unit(Protocol):
+    """The unit of work. Its key identifies it in all runs, and its values describe it."""
+
+    @property
+    def key(self) -> str: ...
+    @property
+    def values(self) -> dict[str, Any]: ...
+
+
+Solve = Callable[[Client, Any], dict[str, Any]]  #: Returns the row of a unit.
+
+
+def solve_here(
+    client: Client, solve: Solve, units: Sequence[Unit], journal: Journal, workers: int, on_row: Callable[[], None]
+) -> None:
     """Adds the rows to the journal, and calls `on_row` in this thread."""
 
-    def solve(row: Row, add: Add) -> None:
-        add({"key": row.key, "values": row.values, **solved_row(client, plan, row)})
+    def do(unit: Unit, add: Add) -> None:
+        add({"key": unit.key, "values": unit.values, **solve(client, unit)})
 
-    by_threads(rows, solve, journal, workers, on_row)
+    by_threads(units, do, journal, workers, on_row)
 
 
-def build_by_dask(scheduler: str, given: Setting, plan: TablePlan, rows: Sequence[Row], journal: Journal, on_row: Callable[[], None]) -> None:
+def solve_by_dask(
+    scheduler: str, given: Setting, solve: Solve, units: Sequence[Unit], journal: Journal, on_row: Callable[[], None]
+) -> None:
     """Adds the rows to the journal, and calls `on_row`. The package must be installed on the workers."""
     with dask_at(scheduler) as dask:
         from dask.distributed import as_completed
 
-        futures = dask.map(_solved, rows, plan=plan, given=vars(given), pure=False)
+        futures = dask.map(_solved, units, solve=solve, given=vars(given), pure=False)
         try:
             for future, row in as_completed(futures, loop=dask.loop, with_results=True):
                 journal.add(row)
@@ -42,6 +56,6 @@ def build_by_dask(scheduler: str, given: Setting, plan: TablePlan, rows: Sequenc
             raise
 
 
-def _solved(row: Row, plan: TablePlan, given: dict[str, Any]) -> dict[str, Any]:
+def _solved(unit: Unit, solve: Solve, given: dict[str, Any]) -> dict[str, Any]:
     """Runs on a worker."""
-    return {"key": row.key, "values": row.values, **solved_row(client_of_worker(given), plan, row)}
+    return {"key": unit.key, "values": unit.values, **solve(client_of_worker(given), unit)}

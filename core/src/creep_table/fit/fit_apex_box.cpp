@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <numbers>
 
 #include "creep_table/contraction.hpp"
@@ -48,6 +50,19 @@ bool vanishes_at(const Node& node, const TableAxes& box, const CreepGrid& grid, 
 }
 
 }  // namespace
+
+std::optional<TableAxes> apex_box(const CreepGrid& grid) {
+    const auto& [ratios, angles_a, angles_b, lengths] = grid.axes;
+    const auto part = [](const SplineAxis& whole, int from, int to, int halved) {
+        return SplineAxis{whole.node(from), whole.node(to), (1 + halved) * (to - from)};
+    };
+    const int first = std::max(0, static_cast<int>(std::floor((std::log(2) - ratios.from) / ratios.step() + 1e-9)));
+    const int side = angles_a.cells / 4;
+    if (ratios.cells - first < 4) return std::nullopt;
+    return TableAxes{part(ratios, first, ratios.cells, 0), part(angles_a, side, angles_a.cells - side, 1),
+                     part(angles_b, 5 * angles_b.cells / 8, angles_b.cells, 1),
+                     part(lengths, 3 * lengths.cells / 8, (11 * lengths.cells + 15) / 16, 1)};
+}
 
 bool is_inside(const TableAxes& box, const CreepGrid& grid) {
     for (int axis = 0; axis < axis_count; ++axis) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -26,6 +27,10 @@ std::vector<float> fit_creep_spline(const CreepGrid& grid, double nu, std::span<
 /// and at the ends of log(a/b) not-a-knot. Throws InvalidArgument ("box", "nodes").
 std::vector<float> fit_apex_box(const CreepGrid& grid, std::span<const float> spline, const TableAxes& box,
                                 std::span<const double> forces);
+
+/// Returns the box around the apex, X = Y = 0 and S = 1, for a/b from about 2 to the end of the table: the cells of the
+/// table, halved along z_a, z_b and u. Returns nothing if the table has fewer than 4 cells there.
+std::optional<TableAxes> apex_box(const CreepGrid& grid);
 
 /// Returns whether a box lies in a table as fit_apex_box requires: between the ends of z_a and u, and above z_b = 0.
 bool is_inside(const TableAxes& box, const CreepGrid& grid);

@@ -83,3 +83,20 @@ TEST_CASE("a box must lie inside its table", "[creep_table]") {
     box[u].from = 0;
     CHECK_FALSE(is_inside(box, grid));
 }
+
+TEST_CASE("the box of a table lies around the apex, on its nodes", "[creep_table]") {
+    const CreepGrid grid = creep_grid(0.05, 20, {32, 40, 16, 32});
+    const TableAxes box = apex_box(grid).value();
+    CHECK(is_inside(box, grid));
+    const std::array<double, 4> apex{std::log(8), pi / 2, pi / 2, 1};
+    for (int axis = 0; axis < axis_count; ++axis) {
+        CHECK(box[axis].contains(apex[axis]));
+        const double cells = (box[axis].from - grid.axes[axis].from) / grid.axes[axis].step();
+        CHECK_THAT(cells, WithinAbs(std::round(cells), 1e-9));
+        const double finer = grid.axes[axis].step() / box[axis].step();
+        CHECK_THAT(finer, WithinAbs(axis == log_ratio ? 1 : 2, 1e-9));
+    }
+    CHECK(std::exp(box[log_ratio].from) <= 2);
+    CHECK(is_inside(apex_box(creep_grid(3, 20, {4, 5, 4, 4})).value(), creep_grid(3, 20, {4, 5, 4, 4})));
+    CHECK_FALSE(apex_box(creep_grid(0.05, 2, {32, 40, 16, 32})));
+}

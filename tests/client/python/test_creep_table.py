@@ -1,0 +1,155 @@
+"""Tables of creep forces in Python: vectorised, with derivatives and bounds, and clear errors."""
+
+import json
+import warnings
+
+import numpy as np
+import pytest
+
+import contactd
+
+contactd_local = pytest.importorskip("contactd_local")
+
+RATIOS, CELLS = (0.5, 2.0), (4, 8, 4, 8)
+CONTACT = {"a": 6.0, "b": 5.0, "G": 82000.0, "mu": 0.3, "Fn": 80e3}
+CREEPAGES = {"xi": 1e-3, "eta": -2e-3, "phi": 3e-4}
+
+
+def saturating(states):
+    """Returns invented forces: the creepages, divided by their length and 1."""
+    w = np.asarray(states)
+    return w / (1 + np.linalg.norm(w, axis=1))[:, None]
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory):
+    path = tmp_path_factory.mktemp("table") / "invented.creep"
+    nodes = []
+    for nu in (0.2, 0.3):
+        for row in range(len(contactd_local.creep_table_rows(RATIOS, CELLS)) // 8):
+            _, creepages = contactd_local.creep_table_row(RATIOS, CELLS, nu, row)
+            nodes.append(saturating(np.frombuffer(creepages).reshape(-1, 3)))
+    forces = np.concatenate(nodes).tobytes()
+    contactd_local.write_creep_table(RATIOS, CELLS, str(path), np.array([0.2, 0.3]).tobytes(), forces, json.dumps({"statement": None}).encode())
+    return path
+
+
+@pytest.fixture(scope="module")
+def table(path):
+    return contactd.CreepTable(path, 0.25)
+
+
+def scaled(table, **changes):
+    return table.forces(**{**CONTACT, **CREEPAGES, **changes})
+
+
+def test_forces_of_numbers_are_numbers_that_oppose_the_creepages(table):
+    assert (table.nu, table.ratios, table.statement) == (0.25, pytest.approx((0.5, 2)), None)
+    found = scaled(table)
+    assert isinstance(found.Fx, float)
+    assert found.Fx < 0 < found.Fy
+    assert (found.by_creepage.shape, found.by_contact.shape) == ((3, 3), (3, 5))
+    assert np.isnan(found.force_bound), "the table was not checked"
+
+
+def test_forces_of_arrays_are_those_of_their_elements(table):
+    xi, a = np.array([[1e-3], [2e-3]]), np.array([5.0, 6.0, 7.0])
+    found = scaled(table, xi=xi, a=a)
+    assert found.Fx.shape == (2, 3)
+    assert found.by_contact.shape == (2, 3, 3, 5)
+    for i, j in np.ndindex(2, 3):
+        single = scaled(table, xi=xi[i, 0], a=a[j])
+        assert (found.Fy[i, j], found.Mz[i, j]) == (single.Fy, single.Mz)
+        assert (found.by_creepage[i, j] == single.by_creepage).all()
+    assert scaled(table, xi=np.empty((0, 2))).by_creepage.shape == (0, 2, 3, 3)
+
+
+@pytest.mark.parametrize("name", [*CONTACT, *CREEPAGES])
+def test_derivatives_are_those_of_the_forces(table, name):
+    value = {**CONTACT, **CREEPAGES}[name]
+    step = 1e-3 * abs(value)
+    low, high = (scaled(table, **{name: value + change}) for change in (-step, step))
+    found = scaled(table)
+    column = found.by_creepage[:, [*CREEPAGES].index(name)] if name in CREEPAGES else found.by_contact[:, [*CONTACT].index(name)]
+    for i, force in enumerate(("Fx", "Fy", "Mz")):
+        difference = (getattr(high, force) - getattr(low, force)) / (2 * step)
+        assert column[i] == pytest.approx(difference, rel=2e-2, abs=2e-3 * abs(getattr(found, force) / value))
+
+
+def test_forces_have_the_symmetries_of_the_full_theory(table):
+    found, turned, mirrored = scaled(table), scaled(table, xi=-1e-3, eta=2e-3, phi=-3e-4), scaled(table, eta=2e-3, phi=-3e-4)
+    assert (turned.Fx, turned.Fy, turned.Mz) == (-found.Fx, -found.Fy, -found.Mz)
+    assert (mirrored.Fx, mirrored.Fy, mirrored.Mz) == (found.Fx, -found.Fy, -found.Mz)
+
+
+def test_falling_friction_by_one_coefficient_for_each_contact(table):
+    """The chain rule of docs/creep-tables.md: dF/dxi with mu(xi)."""
+
+    def mu(xi):
+        return 0.3 / (1 + 20 * xi)
+
+    def Fx(xi):
+        return scaled(table, xi=xi, mu=mu(xi)).Fx
+
+    xi = 2e-3
+    found = scaled(table, xi=xi, mu=mu(xi))
+    slope = found.by_creepage[0, 0] + found.by_contact[0, 3] * (mu(xi + 1e-6) - mu(xi - 1e-6)) / 2e-6
+    assert slope == pytest.approx((Fx(xi + 1e-5) - Fx(xi - 1e-5)) / 2e-5, rel=1e-2)
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"a": -1}, "a is -1; it must be positive"),
+        ({"mu": [0.3, 0]}, r"mu\[1\] is 0; it must be positive"),
+        ({"Fn": float("nan")}, "Fn is nan; it must be finite"),
+        ({"xi": [[1e-3, np.inf]]}, r"xi\[0, 1\] is inf; it must be finite"),
+        ({"a": 50}, r"a/b is 10; the table holds 0.5 to 2; a lies along the rolling direction"),
+        ({"b": [5, 0.5]}, r"a/b\[1\] is 12"),
+        ({"xi": [1e-3, 2e-3], "eta": [1e-3, 2e-3, 3e-3]}, r"contacts have shapes that do not broadcast: xi \(2,\), eta \(3,\)"),
+        ({"G": "steel"}, "G is 'steel'; it must be a real number"),
+        ({"phi": None}, "phi is None; it must be a real number"),
+        ({"eta": 1j}, "eta is 1j; it must be a real number"),
+    ],
+)
+def test_invalid_values_are_refused_by_their_names(table, changes, sentence):
+    with pytest.raises(contactd.InvalidArgument, match=sentence):
+        scaled(table, **changes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"xi": 1.5}, "xi reaches 1.5, .* not in percent"),
+        ({"eta": [0, -2]}, "eta reaches 2, .* not in percent"),
+        ({"mu": 30}, "mu reaches 30, .* not in percent"),
+        ({"G": 8.2e10}, "G reaches 8.2e.10, .* not in Pa"),
+        ({"phi": 0.5}, "not in 1/m"),
+    ],
+)
+def test_values_in_other_units_are_warned_of(table, changes, sentence):
+    with pytest.warns(contactd.ContactWarning, match=sentence):
+        scaled(table, **changes)
+
+
+def test_usual_values_are_not_warned_of(table):
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        scaled(table, xi=0.3, mu=0.6)
+
+
+def test_files_and_ratios_without_a_table_are_refused(path, tmp_path):
+    with pytest.raises(contactd.InvalidArgument, match=r"nu is 0.4; this table holds 0.2 to 0.3"):
+        contactd.CreepTable(path, 0.4)
+    with pytest.raises(contactd.TableFileError, match="none.creep"):
+        contactd.CreepTable(tmp_path / "none.creep")
+    cut = tmp_path / "cut.creep"
+    cut.write_bytes(path.read_bytes()[:-100])
+    with pytest.raises(contactd.TableFileError, match="cut.creep has"):
+        contactd.CreepTable(cut)
+
+
+def test_tables_need_the_compiled_package_and_name_it(path, monkeypatch):
+    monkeypatch.setattr("contactd.creep_tables.can_solve_here", lambda: False)
+    with pytest.raises(contactd.MissingExtra, match=r"contactd\[local\]"):
+        contactd.CreepTable(path)
