@@ -65,19 +65,22 @@ class CreepTable:
         or cannot be read, and MissingExtra without the package contactd_local.
         """
         library = extension()
+        given = None if nu is None else _array("nu", nu)
+        if given is not None and given.ndim:
+            raise invalid("nu", f"has {given.size} values; it must be one number")
+        name = os.path.basename(os.fspath(path))
         try:
-            self._table, self.nu, self.ratios, text = library.open_creep_table(os.path.abspath(path), nu)
-            self.description: dict[str, Any] = json.loads(text)
-            if not isinstance(self.description, dict):
-                raise TypeError
+            self._table, self.nu, self.ratios, text = library.open_creep_table(os.path.abspath(path), given)
         except library.Error as error:
             raise TableFileError(str(error)) from None
-        except (json.JSONDecodeError, UnicodeDecodeError, RecursionError, TypeError):
-            raise TableFileError(
-                f"{os.path.basename(path)} lacks the description that contactctl table build writes."
-            ) from None
         except ValueError as error:
+            if not str(error).startswith("nu "):
+                raise TableFileError(f"{name!r} is not the name of a file: {error}.") from None
             raise invalid("nu", str(error).removeprefix("nu ")) from None
+        try:
+            self.description: dict[str, Any] = dict(json.loads(text))
+        except (ValueError, RecursionError, TypeError):
+            raise TableFileError(f"{name} lacks the description that contactctl table build writes.") from None
 
     @property
     def statement(self) -> str | None:
@@ -123,7 +126,9 @@ class CreepTable:
         found = extension().creep_table_forces(self._table, np.stack(arrays, axis=-1).tobytes())
         shape = arrays[0].shape
         results = np.frombuffer(found).reshape(*shape, _RESULTS).copy()
-        Fx, Fy, Mz, force_bound, moment_bound = (results[..., i][()] for i in (0, 1, 2, 27, 28))  # [()] makes numbers of arrays without axes
+        Fx, Fy, Mz, force_bound, moment_bound = (
+            results[..., i][()] for i in (0, 1, 2, 27, 28)
+        )  # [()] makes numbers of arrays without axes
         by_creepage, by_contact = results[..., 3:12].reshape(*shape, 3, 3), results[..., 12:27].reshape(*shape, 3, 5)
         return CreepForces(Fx, Fy, Mz, by_creepage, by_contact, force_bound, moment_bound)
 

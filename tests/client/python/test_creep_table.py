@@ -1,7 +1,10 @@
 """Tables of creep forces in Python: vectorised, with derivatives and bounds, and clear errors."""
 
 import json
+import re
+import shutil
 import warnings
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -82,19 +85,17 @@ def test_forces_have_the_symmetries_of_the_full_theory(table):
     assert (mirrored.Fx, mirrored.Fy, mirrored.Mz) == (found.Fx, -found.Fy, -found.Mz)
 
 
-def test_falling_friction_by_one_coefficient_for_each_contact(table):
-    """The chain rule of docs/creep-tables.md: dF/dxi with mu(xi)."""
-
-    def mu(xi):
-        return 0.3 / (1 + 20 * xi)
-
-    def Fx(xi):
-        return scaled(table, xi=xi, mu=mu(xi)).Fx
-
-    xi = 2e-3
-    found = scaled(table, xi=xi, mu=mu(xi))
-    slope = found.by_creepage[0, 0] + found.by_contact[0, 3] * (mu(xi + 1e-6) - mu(xi - 1e-6)) / 2e-6
-    assert slope == pytest.approx((Fx(xi + 1e-5) - Fx(xi - 1e-5)) / 2e-5, rel=1e-2)
+def test_the_examples_of_the_page(path, tmp_path, monkeypatch):
+    page = (Path(__file__).parents[3] / "docs" / "creep-tables.md").read_text()
+    shutil.copy(path, tmp_path / "creep-0.28.creep")
+    monkeypatch.chdir(tmp_path)
+    names = {}
+    for example in re.findall(r"^```python\n(.*?)^```", page, re.MULTILINE | re.DOTALL):
+        exec(compile(example, "docs/creep-tables.md", "exec"), names)
+    assert names["stiffness"].shape == names["by_friction"].shape == (201,)
+    assert names["stiffness"][100] < 0, "at no creepage"
+    change = [names["table"].forces(6.0, 5.0, 82000.0, names["mu"](xi, 1e-3), 80e3, xi=xi, eta=1e-3).Fx for xi in (2e-3 - 1e-5, 2e-3 + 1e-5)]
+    assert names["dFx_dxi"] == pytest.approx((change[1] - change[0]) / 2e-5, rel=1e-2)
 
 
 @pytest.mark.parametrize(
@@ -141,6 +142,11 @@ def test_usual_values_are_not_warned_of(table):
 def test_files_and_ratios_without_a_table_are_refused(path, tmp_path):
     with pytest.raises(contactd.InvalidArgument, match=r"nu is 0.4; this table holds 0.2 to 0.3"):
         contactd.CreepTable(path, 0.4)
+    for nu, sentence in (("steel", "nu is 'steel'; it must be a real"), ([0.2, 0.3], "nu has 2 values"), (float("nan"), "nu is nan; it must be finite")):
+        with pytest.raises(contactd.InvalidArgument, match=sentence):
+            contactd.CreepTable(path, nu)
+    with pytest.raises(contactd.TableFileError, match="is not the name of a file"):
+        contactd.CreepTable("no\0table.creep")
     with pytest.raises(contactd.TableFileError, match="none.creep"):
         contactd.CreepTable(tmp_path / "none.creep")
     cut = tmp_path / "cut.creep"

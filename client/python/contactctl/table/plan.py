@@ -163,8 +163,10 @@ def opened(path: Path, nu: float | None = None) -> tuple[CreepTable, TablePlan]:
         low, high = map(float, given["ratios"])
         nodes_a, nodes_b, nodes_c, nodes_d = map(int, given["cells"])
         plan = TablePlan(tuple(map(float, given["nu"])), (low, high), (nodes_a, nodes_b, nodes_c, nodes_d), recipe)
-        is_known = given["program"].isprintable() and all(
-            len(given[name]) <= given["nodes"] for name in ("fallback", "unconverged")
+        is_known = (
+            given["program"].isprintable()
+            and (table.statement or " ").isprintable()
+            and all(len(given[name]) <= given["nodes"] for name in ("fallback", "unconverged"))
         )
         is_known = (
             is_known
