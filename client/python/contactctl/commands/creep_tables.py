@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import os
-import time
-from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 from typing import Annotated, Any
@@ -13,18 +11,16 @@ import click
 import typer
 
 from ..codes import Code, Ended
-from ..common import Command, Group, connected, setting
+from ..common import Command, Group, setting
 from ..files import writable
-from ..output import counted, emit, facts, note, size, span
-from ..progress import Bar
-from ..study.journal import Journal
-from ..study.shares import best, check_ended, rows_beside, share_of
-from ..table.building import Solve, Unit, solve_by_dask, solve_here
+from ..output import counted, emit, facts, size
 from ..table.check_plan import CheckPlan, Search
-from ..table.checking import Findings, certify
+from ..table.checking import Findings
 from ..table.nodes import node_row
-from ..table.plan import TablePlan, answers_fit, opened
+from ..table.plan import TablePlan, opened
 from ..table.recipes import RECIPES, recipe_named
+from ..table.statement import certify
+from ..table.work import Work
 
 __all__ = ["add_to"]
 
@@ -59,69 +55,6 @@ def add_to(app: typer.Typer) -> None:
     app.add_typer(family, name="table")
 
 
-class _Work:
-    """Solves rows in a journal, or a share of them, and finds those of other shares."""
-
-    def __init__(self, rows: Path, share: str | None, workers: int, dask: str | None, retry: bool) -> None:
-        self.part = None if share is None else share_of(share)
-        self.file, self.workers, self.dask, self.retry = rows, workers, dask, retry
-
-    def solved(
-        self, solve: Solve, units: Sequence[Unit], counts: Sequence[dict[str, int]]
-    ) -> list[dict[str, Any]] | None:
-        """Returns the rows of all units, or None while other shares have not solved theirs. `counts` contains the lengths
-        of their answers. Raises Ended if rows failed.
-        """
-        own = units if self.part is None else self.part.cases(units)
-        sizes = {unit.key: count for unit, count in zip(units, counts, strict=True)}
-        with Journal(self.file if self.part is None else self.part.file(self.file)) as journal:
-            if self.part is None:
-                check_ended(self.file)
-            there = best(journal.rows, rows_beside(self.file, journal.path))
-            unwanted = {
-                key
-                for key, lengths in sizes.items()
-                if key in there and (not answers_fit(there[key], lengths) or (self.retry and there[key]["code"]))
-            }
-            if unwanted & journal.rows.keys():
-                journal.forget(unwanted)
-            there = {key: there[key] for key in (sizes.keys() & there.keys()) - unwanted}
-            self._solve(solve, [unit for unit in own if unit.key not in there], len(own), journal)
-            found = best(journal.rows, there)
-        failed = [found[key] for key in sizes if key in found and "answers" not in found[key]]
-        if failed:
-            raise Ended(
-                Code(min(row["code"] for row in failed)),
-                f"{counted(len(failed), 'row')} failed: {failed[0]['error']} --retry solves them again.",
-            )
-        return [found[key] for key in sizes] if sizes.keys() <= found.keys() else None
-
-    def _solve(self, solve: Solve, todo: Sequence[Unit], total: int, journal: Journal) -> None:
-        known, began = len(journal.rows), time.monotonic()
-        there = total - len(todo)
-        if there:
-            note(f"{there} of {total} rows are solved.")
-        if not todo:
-            return
-        with Bar("table") as bar:
-
-            def on_row() -> None:
-                done = len(journal.rows) - known
-                left = f"about {span((time.monotonic() - began) / done * (len(todo) - done))} to go" if done else ""
-                bar.show((there + done) / total, f"{there + done} of {total} rows", left)
-
-            try:
-                on_row()
-                if self.dask is not None:
-                    solve_by_dask(self.dask, setting(), solve, todo, journal, on_row)
-                    return
-                with connected(workers=self.workers, local_unless_named=True) as client:
-                    solve_here(client, solve, todo, journal, min(self.workers, len(todo)), on_row)
-            except BaseException:
-                note(f"{there + len(journal.rows) - known} of {total} rows are solved; repeat the command to continue.")
-                raise
-
-
 def build(
     file: File,
     nu: Annotated[
@@ -151,7 +84,7 @@ def build(
     """
     plan = TablePlan(tuple(nu), ratios, cells, recipe_named(recipe, grids))
     writable("FILE", file)
-    work = _Work(rows or Path(f"{file}.rows"), share, workers, dask, retry)
+    work = Work(rows or Path(f"{file}.rows"), share, workers, dask, retry)
     counts = [{"forces": 3 * row.nodes, "fallback": -1, "unconverged": -1} for row in plan.rows]
     found = work.solved(partial(node_row, plan=plan), plan.rows, counts)
     if work.part is not None:
@@ -228,7 +161,7 @@ def check(
         raise click.UsageError(f"--recipe is {named.name}, which built this table; give another one of {_NAMES}.")
     second = RECIPES["fine" if named.name == "square" else "square"]
     checked = CheckPlan(file.absolute(), plan, None if nu is None else table.nu, points, seed, named, second)
-    work = _Work(rows or Path(f"{file}.check.rows"), share, workers, dask, retry)
+    work = Work(rows or Path(f"{file}.check.rows"), share, workers, dask, retry)
     states = work.solved(checked.solved, checked.samples, [checked.counts] * len(checked.samples))
     found: list[dict[str, Any]] | None = None
     starts: list[Search] = []

@@ -10,19 +10,18 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import numpy.typing as npt
 
 from contactd import Client, CreepTable, StatusError
 
 from ..codes import Code, code_of
-from .nodes import Bools, extrapolated, interpolated
+from .bound_cells import BOUND_CELLS, Integers, touches_apex
+from .nodes import extrapolated, interpolated
 from .plan import Reals, TablePlan, digest, opened
 from .recipes import Recipe
 
-__all__ = ["BOUND_CELLS", "RANDOM", "CheckPlan", "Sample", "Search", "cell_numbers", "is_apex", "measure"]
+__all__ = ["CANDIDATES", "RANDOM", "ROUNDS", "CheckPlan", "Sample", "Search", "measure"]
 
 VERSION = 1  #: Of the states and of the search: rows of other versions are not used.
-BOUND_CELLS = (8, 8, 4, 8)  #: Cells of log(a/b), both angles and u, of which each has a bound.
 RANDOM, BY_CELL, TWICE = (
     25,
     25,
@@ -31,7 +30,6 @@ RANDOM, BY_CELL, TWICE = (
 ROUNDS, CANDIDATES = 5, 6  #: Of a search.
 HARD = 4  #: How much denser hard cells are sampled.
 LENGTHS = (0.02, 25.0)  #: Of the scaled creepages of random states.
-Integers = npt.NDArray[np.int64]
 
 
 @dataclass(frozen=True)
@@ -140,7 +138,7 @@ class CheckPlan:
         """
         cells = np.indices(BOUND_CELLS[1:]).reshape(3, -1).T
         spin, large = cells[:, 1] == BOUND_CELLS[2] - 1, cells[:, 2] >= BOUND_CELLS[3] // 2
-        near = np.isin(cells[:, 0], (3, 4)) & spin & np.isin(cells[:, 2], (3, 4))
+        near = touches_apex(*cells.T)
         hard = (
             near
             if log_ratio > math.log(3)
@@ -165,6 +163,7 @@ class CheckPlan:
         states = self.table.states_at(points, nu)
         forces, converged = extrapolated(client, states, nu, self.recipe)
         second, again = extrapolated(client, states[RANDOM : RANDOM + TWICE], nu, self.second)
+        again &= converged[RANDOM : RANDOM + TWICE]
         second[~again] = forces[RANDOM : RANDOM + TWICE][~again]
         return {
             "forces": forces.ravel().tolist(),
@@ -194,20 +193,3 @@ def measure(errors: Reals) -> Reals:
     """Returns what a search maximises: the error of a force, or half of that of the moment if it is larger."""
     larger: Reals = np.maximum(errors[:, :2].max(axis=1), errors[:, 2] / 2)
     return larger
-
-
-def cell_numbers(plan: CheckPlan, points: Reals) -> Integers:
-    """Returns the numbers of the cells of bounds, in the order of the file."""
-    low, high = plan.ends
-    indices = np.minimum((points - low) / (high - low) * BOUND_CELLS, np.array(BOUND_CELLS) - 1).astype(np.int64)
-    numbers: Integers = np.ravel_multi_index(tuple(np.maximum(indices, 0).T), BOUND_CELLS).astype(np.int64)
-    return numbers
-
-
-def is_apex(plan: CheckPlan) -> Bools:
-    """Returns which cells of bounds touch the apex: pure spin at full slip, with a/b above 2 in the middle of the cell."""
-    ratio, angle_a, angle_b, length = np.indices(BOUND_CELLS).reshape(4, -1)
-    low, high = plan.ends[:, 0]
-    is_long = low + (ratio + 0.5) * (high - low) / BOUND_CELLS[0] > math.log(2)
-    touches: Bools = is_long & np.isin(angle_a, (3, 4)) & (angle_b == BOUND_CELLS[2] - 1) & np.isin(length, (3, 4))
-    return touches

@@ -19,7 +19,7 @@ from contactd.creep_tables import CreepTable, extension
 
 from .recipes import RECIPES, Recipe
 
-__all__ = ["Reals", "Row", "TablePlan", "answers_fit", "digest", "opened"]
+__all__ = ["Reals", "Row", "TablePlan", "digest", "opened"]
 
 Reals = npt.NDArray[np.float64]
 
@@ -133,19 +133,6 @@ class TablePlan:
 def digest(*values: Any) -> str:
     """Returns a key of a row."""
     return hashlib.sha256(json.dumps(values).encode()).hexdigest()[:32]
-
-
-def answers_fit(found: dict[str, Any], counts: dict[str, int]) -> bool:
-    """Returns whether a row of a file is a failure, or its answers have these lists, of these lengths if not negative."""
-    answers = found.get("answers")
-    if answers is None:
-        return "error" in found
-    lists = [(answers.get(name), count) for name, count in counts.items()]
-    are_lists = all(
-        isinstance(numbers, list) and all(isinstance(number, (int, float)) for number in numbers)
-        for numbers, _ in lists
-    )
-    return are_lists and all(count in (-1, len(numbers)) for numbers, count in lists)
 
 
 def opened(path: Path, nu: float | None = None) -> tuple[CreepTable, TablePlan]:
