@@ -20,7 +20,7 @@ The library is looked for by the system; the environment's `CONTACTD_LIBRARY` na
 """
 module Contactd
 
-export Connection, Contact, Wheel, ContactdError, open_connection, start!, step!, again!, solve!, numbers, request!, clear!, save!, restore!
+export Connection, Contact, CreepTable, Wheel, ContactdError, creep_forces, open_connection, start!, step!, again!, solve!, numbers, request!, clear!, save!, restore!
 
 const LIBRARY = get(ENV, "CONTACTD_LIBRARY", "libcontactd-local")
 
@@ -44,6 +44,11 @@ end
 
 "One wheel on its rail: a right one, S1002 on 60E1 at 1/40, of steel, unless its fields say otherwise."
 mutable struct Wheel
+    handle::Ptr{Cvoid}
+end
+
+"Creep forces of steady rolling at one Poisson's ratio, from a file (docs/creep-tables.md). Any thread may use it."
+mutable struct CreepTable
     handle::Ptr{Cvoid}
 end
 
@@ -85,6 +90,28 @@ function Wheel(connection::Connection)
 end
 Base.close(contact::Contact) = check(ccall((:contactd_free, LIBRARY), Int32, (Ptr{Cvoid},), contact.handle), C_NULL)
 Base.close(wheel::Wheel) = check(ccall((:contactd_wheel_free, LIBRARY), Int32, (Ptr{Cvoid},), wheel.handle), C_NULL)
+
+function CreepTable(path::AbstractString, nu::Real)
+    handle = Ref{Ptr{Cvoid}}(C_NULL)
+    check(ccall((:contactd_creep_table_open, LIBRARY), Int32, (Cstring, Cdouble, Ref{Ptr{Cvoid}}), path, nu, handle), C_NULL)
+    return CreepTable(handle[])
+end
+Base.close(table::CreepTable) = check(ccall((:contactd_creep_table_close, LIBRARY), Int32, (Ptr{Cvoid},), table.handle), C_NULL)
+
+"""
+Returns Fx, Fy (N) and Mz (N mm) on the upper body, their derivatives by xi, eta and phi in rows, and bounds of the errors of
+forces and moment, which are NaN if the table was not checked. Creepages are xi, eta, and phi (1/mm).
+"""
+function creep_forces(table::CreepTable, a::Real, b::Real, G::Real, mu::Real, Fn::Real, creepages::AbstractVector{<:Real})
+    length(creepages) == 3 || throw(ArgumentError("creepages has $(length(creepages)) values; give xi, eta and phi."))
+    given = convert(Vector{Float64}, creepages)
+    forces, jacobian, bounds = zeros(3), zeros(9), zeros(2)
+    code = ccall((:contactd_creep_table_forces, LIBRARY), Int32,
+        (Ptr{Cvoid}, Cdouble, Cdouble, Cdouble, Cdouble, Cdouble, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Cdouble}, Ptr{Cdouble}),
+        table.handle, a, b, G, mu, Fn, given, forces, jacobian, bounds)
+    check(code, table.handle)
+    return forces, permutedims(reshape(jacobian, 3, 3)), bounds
+end
 
 # Sets a number, a keyword, or the numbers of a field. Rows of an array over the grid run along x.
 Base.setindex!(of::Handle, value::Real, path::AbstractString) =

@@ -1,5 +1,6 @@
 /* Simulates the model Examples.Wheelset of the Modelica package with its external functions, in steps of 0.25 ms that
- * update velocities first. Prints y (m) at every 400th step, and the wrench of the right wheel at the start. */
+ * update velocities first. Prints y (m) at every 400th step, and the wrench of the right wheel at the start. With the
+ * file of a creep-force table as the second argument, it prints forces of the table instead. */
 #include <contactd_modelica.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -16,7 +17,17 @@ void ModelicaFormatError(const char* format, ...) {
     exit(3);
 }
 
+static int creep_forces(const char* path) {
+    void* table = contactd_modelica_table_open(path, 0.28);
+    double forces[3];
+    contactd_modelica_creep_forces(table, 6e-3, 5e-3, 82e9, 0.3, 80e3, 1e-3, 2e-3, 0.3, forces, 3);
+    printf("%.17g %.17g %.17g\n", forces[0], forces[1], forces[2]);
+    contactd_modelica_table_close(table);
+    return 0;
+}
+
 int main(int count, char** arguments) {
+    if (count > 2) return creep_forces(arguments[2]);
     const char* model = count > 1 ? arguments[1] : "fastsim";
     void* left = contactd_modelica_open("local", "left", model, 0.3, 1e-3);
     void* right = contactd_modelica_open("local", "right", model, 0.3, 1e-3);

@@ -11,6 +11,8 @@ from typing import Any
 
 import pytest
 
+import contactd
+from support.creep_tables import invented_table
 from support.daemons import BIN
 
 ROOT = Path(__file__).parents[2]
@@ -23,9 +25,9 @@ TYPES: dict[str, tuple[set[str], Any]] = {
     "Int32": ({"int32_t"}, ctypes.c_int32),
     "Cdouble": ({"double"}, ctypes.c_double),
     "Cstring": ({"const char*"}, ctypes.c_char_p),
-    "Ptr{Cvoid}": ({"contactd_any_handle", "contactd_handle", "contactd_connection*", "contactd_contact*", "contactd_wheel*"}, ctypes.c_void_p),
+    "Ptr{Cvoid}": ({"contactd_any_handle", "contactd_handle", "contactd_connection*", "contactd_contact*", "contactd_wheel*", "contactd_creep_table*"}, ctypes.c_void_p),
     "Ptr{Ptr{Cvoid}}": ({"contactd_wheel* const*"}, ctypes.POINTER(ctypes.c_void_p)),
-    "Ref{Ptr{Cvoid}}": ({"contactd_connection**", "contactd_contact**", "contactd_wheel**"}, ctypes.POINTER(ctypes.c_void_p)),
+    "Ref{Ptr{Cvoid}}": ({"contactd_connection**", "contactd_contact**", "contactd_wheel**", "contactd_creep_table**"}, ctypes.POINTER(ctypes.c_void_p)),
     "Ptr{Cdouble}": ({"double*", "const double*"}, ctypes.POINTER(ctypes.c_double)),
     "Ref{Cdouble}": ({"double*"}, ctypes.POINTER(ctypes.c_double)),
     "Ref{Int32}": ({"int32_t*"}, ctypes.POINTER(ctypes.c_int32)),
@@ -37,7 +39,7 @@ def calls() -> dict[str, tuple[str, list[str], int]]:
     found = {}
     # Arguments may be calls with one argument.
     for name, answer, arguments, rest in re.findall(
-        r"ccall\(\(:(\w+), LIBRARY\), ([\w{}]+), \(([^()]*)\)((?:[^()]|\([^()]*\))*)\)", MODULE
+        r"ccall\(\(:(\w+), LIBRARY\), ([\w{}]+),\s+\(([^()]*)\)((?:[^()]|\([^()]*\))*)\)", MODULE
     ):
         types = [part.strip() for part in arguments.split(",") if part.strip()]
         given = len([part for part in rest.split(",") if part.strip()])
@@ -115,3 +117,15 @@ def test_the_calls_of_its_example_find_the_forces_of_a_wheel(julia):
     assert b"state.Fz" in julia("contactd_last_error", wheel)
     assert julia("contactd_wheel_free", wheel) == 0
     assert julia("contactd_close", connection) == 0
+
+
+def test_its_creep_table_has_the_forces_of_python(julia, tmp_path):
+    path = invented_table(tmp_path)
+    table, numbers = ctypes.c_void_p(), ctypes.c_double * 3
+    forces, jacobian, bounds = numbers(), (ctypes.c_double * 9)(), numbers()
+    assert julia("contactd_creep_table_open", str(path).encode(), 0.28, table) == 0
+    assert julia("contactd_creep_table_forces", table, 6, 5, 82e3, 0.3, 80e3, numbers(1e-3, 2e-3, 3e-4), forces, jacobian, bounds) == 0
+    found = contactd.CreepTable(path).forces(6, 5, 82e3, 0.3, 80e3, 1e-3, 2e-3, 3e-4)
+    assert [*forces] == [found.Fx, found.Fy, found.Mz]
+    assert [*jacobian] == found.by_creepage.ravel().tolist()
+    assert julia("contactd_creep_table_close", table) == 0

@@ -11,6 +11,7 @@ import pytest
 
 import contactd
 from contactd.wheel_rail import WheelRailSetup, WheelRailState, WheelsetPosition, WheelsetVelocity
+from support.creep_tables import invented_table
 from support.daemons import BIN
 
 ROOT = Path(__file__).parents[2]
@@ -19,7 +20,7 @@ FOLDER = ROOT / "adapters" / "modelica" / "Contactd"
 PACKAGE = (FOLDER / "package.mo").read_text()
 HEADER = (FOLDER / "Resources" / "Include" / "contactd_modelica.h").read_text()
 #: Type of Modelica -> type of C (language specification, 12.9.1).
-TYPES = {"Real": "double", "String": "const char*", "WheelObject": "void*", "Integer": "int"}
+TYPES = {"Real": "double", "String": "const char*", "WheelObject": "void*", "CreepTable": "void*", "Integer": "int"}
 #: Keywords of the language (specification, 2.3.3), which are not allowed as names.
 RESERVED = set(
     """algorithm and annotation block break class connect connector constant constrainedby der discrete each else elseif elsewhen
@@ -49,7 +50,7 @@ def test_names_that_begin_end():
 
 def test_external_functions_have_the_arguments_that_are_handed_over():
     found = re.findall(r'function (\w+)(.*?)external "C" (?:(\w+) = )?(\w+)\(([^;]*?)\)\s*annotation', PACKAGE, re.DOTALL)
-    assert len(found) == 3
+    assert len(found) == 6
     for _, body, answer, name, handed in found:
         declared = {name: kind for kind, name in re.findall(r"(?:input|output) (\w+) (\w+)", body)}
         (prototype,) = re.findall(rf"static (\S+) {name}\(([^)]*)\)", HEADER)
@@ -91,3 +92,10 @@ def test_a_failure_is_one_of_modelica(program):
     ended = subprocess.run([program, "springs"], capture_output=True, text=True, timeout=60)
     assert ended.returncode == 3
     assert ended.stdout.startswith("contactd: setup.model is")
+
+
+def test_its_creep_forces_are_those_of_python(program, tmp_path):
+    path = invented_table(tmp_path)
+    forces = subprocess.run([program, "table", path], capture_output=True, text=True, check=True, timeout=60).stdout.split()
+    found = contactd.CreepTable(path).forces(6, 5, 82e3, 0.3, 80e3, 1e-3, 2e-3, 3e-4)
+    assert [float(number) for number in forces] == pytest.approx([found.Fx, found.Fy, 1e-3 * found.Mz], rel=1e-12)

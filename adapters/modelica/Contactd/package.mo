@@ -35,6 +35,39 @@ package Contactd "Contact of wheels on rails, by the C library of contactd"
       annotation(Include = "#include \"contactd_modelica.h\"", IncludeDirectory = "modelica://Contactd/Resources/Include", Library = "contactd-local");
   end wrench;
 
+  class CreepTable "Creep forces of steady rolling from a file, at one Poisson's ratio"
+    extends ExternalObject;
+
+    function constructor "Opens it"
+      input String path "The file that contactctl table build writes";
+      input Real nu "Poisson's ratio";
+      output CreepTable table;
+      external "C" table = contactd_modelica_table_open(path, nu)
+        annotation(Include = "#include \"contactd_modelica.h\"", IncludeDirectory = "modelica://Contactd/Resources/Include", Library = "contactd-local");
+    end constructor;
+
+    function destructor "Closes it"
+      input CreepTable table;
+      external "C" contactd_modelica_table_close(table)
+        annotation(Include = "#include \"contactd_modelica.h\"", IncludeDirectory = "modelica://Contactd/Resources/Include", Library = "contactd-local");
+    end destructor;
+  end CreepTable;
+
+  function creepForces "Forces on the upper body in steady rolling along x"
+    input CreepTable table;
+    input Real a(unit = "m") "Semi-axis along x";
+    input Real b(unit = "m") "Semi-axis along y";
+    input Real G(unit = "N/m2") "Shear modulus of the combined material";
+    input Real mu "Coefficient of friction";
+    input Real load(unit = "N") "Normal force";
+    input Real xi "Longitudinal creepage";
+    input Real eta "Lateral creepage";
+    input Real phi(unit = "1/m") "Spin";
+    output Real w[3] "Fx, Fy (N), Mz (N.m)";
+    external "C" contactd_modelica_creep_forces(table, a, b, G, mu, load, xi, eta, phi, w, size(w, 1))
+      annotation(Include = "#include \"contactd_modelica.h\"", IncludeDirectory = "modelica://Contactd/Resources/Include", Library = "contactd-local");
+  end creepForces;
+
   package Examples "Whole models"
 
     model Wheelset "A wheelset that is free across the track and about the vertical, from 3 mm beside the middle"

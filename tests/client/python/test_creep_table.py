@@ -1,6 +1,5 @@
 """Tables of creep forces in Python: vectorised, with derivatives and bounds, and clear errors."""
 
-import json
 import re
 import shutil
 import warnings
@@ -10,31 +9,15 @@ import numpy as np
 import pytest
 
 import contactd
+from support.creep_tables import invented_table
 
-contactd_local = pytest.importorskip("contactd_local")
-
-RATIOS, CELLS = (0.5, 2.0), (4, 8, 4, 8)
 CONTACT = {"a": 6.0, "b": 5.0, "G": 82000.0, "mu": 0.3, "Fn": 80e3}
 CREEPAGES = {"xi": 1e-3, "eta": -2e-3, "phi": 3e-4}
 
 
-def saturating(states):
-    """Returns invented forces: the creepages, divided by their length and 1."""
-    w = np.asarray(states)
-    return w / (1 + np.linalg.norm(w, axis=1))[:, None]
-
-
 @pytest.fixture(scope="module")
 def path(tmp_path_factory):
-    path = tmp_path_factory.mktemp("table") / "invented.creep"
-    nodes = []
-    for nu in (0.2, 0.3):
-        for row in range(len(contactd_local.creep_table_rows(RATIOS, CELLS)) // 8):
-            _, creepages = contactd_local.creep_table_row(RATIOS, CELLS, nu, row)
-            nodes.append(saturating(np.frombuffer(creepages).reshape(-1, 3)))
-    forces = np.concatenate(nodes).tobytes()
-    contactd_local.write_creep_table(RATIOS, CELLS, str(path), np.array([0.2, 0.3]).tobytes(), forces, json.dumps({"statement": None}).encode())
-    return path
+    return invented_table(tmp_path_factory.mktemp("table"), (0.2, 0.3))
 
 
 @pytest.fixture(scope="module")

@@ -66,4 +66,25 @@ static void contactd_modelica_solve(void* object, double y, double yaw, double v
     for (int k = 3; k < 6; ++k) wrench[k] *= 1e-3;
 }
 
+static void* contactd_modelica_table_open(const char* path, double nu) {
+    contactd_creep_table* table = NULL;
+    contactd_modelica_check(contactd_creep_table_open(path, nu, &table), NULL);
+    return table;
+}
+
+static void contactd_modelica_table_close(void* table) {
+    if (table) contactd_creep_table_close((contactd_creep_table*)table);
+}
+
+/* forces[3]: on the upper body. Lengths are in m, G in N/m^2, the spin in 1/m, and the moment in N m. */
+static void contactd_modelica_creep_forces(void* table, double a, double b, double G, double mu, double load, double xi,
+                                           double eta, double phi, double* forces, int size) {
+    const double creepages[3] = {xi, eta, 1e-3 * phi};
+    if (size != 3) ModelicaError("contactd: creep forces are three numbers\n");
+    contactd_modelica_check(contactd_creep_table_forces((contactd_creep_table*)table, 1e3 * a, 1e3 * b, 1e-6 * G, mu,
+                                                        load, creepages, forces, NULL, NULL),
+                            table);
+    forces[2] *= 1e-3;
+}
+
 #endif
