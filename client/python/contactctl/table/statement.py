@@ -86,17 +86,17 @@ def _statement(plan: CheckPlan, result: dict[str, Any]) -> str:
     def pair(values: Sequence[float]) -> str:
         return "{:.2g} ({:.2g})".format(*values)
 
-    nu = (
-        f"{plan.nu:g}"
-        if plan.nu is not None
-        else " to ".join(f"{value:g}" for value in sorted({plan.table.nu[0], plan.table.nu[-1]}))
-    )
+    ends = [plan.nu] if plan.nu is not None else sorted({plan.table.nu[0], plan.table.nu[-1]})
+    of_apex = [
+        "No state around the apex, pure spin at full slip with a/b above 2, was checked." if not result["errors"]["around the apex"]["states"] else
+        f"Around the apex, pure spin at full slip with a/b above 2, it is {pair(result['largest_at_apex'])}, and the uncertainty {pair(result['solver_at_apex'])}.",
+    ]  # fmt: skip
     sentences = [
-        f"Against the full theory of half-spaces, nu {nu}, in parts of mu Fn (moments in brackets, of mu Fn c):",
+        f"Against the full theory of half-spaces, nu {' to '.join(f'{nu:g}' for nu in ends)}, in parts of mu Fn (moments in brackets, of mu Fn c):",
         f"99.9 % of {result['points']} random states at {result['contacts']} random a/b are within {pair(result['errors']['random']['99.9 %'])}.",
-        f"The largest difference of {result['states']} states, and of {result['searches']} searches of {result['solves_per_search']} solves from the worst, is {pair(result['largest'])};",
-        f"around the apex, pure spin at full slip with a/b above 2, it is {pair(result['largest_at_apex'])}.",
-        f"The uncertainty of the solves is {pair(result['solver'])}, at the apex {pair(result['solver_at_apex'])}.",
+        f"The largest difference of {result['states']} states, and of {result['searches']} searches of {result['solves_per_search']} solves from the worst, is {pair(result['largest'])}.",
+        f"The uncertainty of the solves is {pair(result['solver'])}.",
+        *(of_apex if is_apex(plan.ends).any() else []),
         f"Seed {plan.seed}, recipe {plan.recipe.text}; {result['unconverged']} states without a converged solve are left out.",
         "Other states may have larger differences.",
     ]  # fmt: skip

@@ -142,6 +142,7 @@ def test_a_check_writes_its_statement_and_bounds_into_the_table(lonely):
     assert table.statement == found["statement"]
     assert "Seed 7, recipe square: 12 x 12, 24 x 24" in table.statement
     assert "everywhere" not in table.statement
+    assert "apex" not in table.statement, "this table has no contacts longer than wide"
     after = table.forces(*contact)
     assert np.isnan(before.force_bound)
     assert (after.Fx, after.by_creepage.tolist()) == (before.Fx, before.by_creepage.tolist())
