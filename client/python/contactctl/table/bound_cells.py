@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from .plan import Reals
 
-__all__ = ["BOUND_CELLS", "Bools", "Integers", "cell_numbers", "is_apex", "touches_apex"]
+__all__ = ["BOUND_CELLS", "Bools", "Integers", "adjacent", "cell_numbers", "is_apex", "touches_apex"]
 
 Bools = npt.NDArray[np.bool_]
 Integers = npt.NDArray[np.int64]
@@ -37,3 +37,14 @@ def is_apex(ends: Reals) -> Bools:
     low, high = ends[:, 0]
     is_long: Bools = low + (ratio + 0.5) * (high - low) / BOUND_CELLS[0] > math.log(2)
     return is_long & touches_apex(*others)
+
+
+def adjacent(values: Reals) -> Reals:
+    """Returns the largest values in the cells that share a face with each cell. `values` has the shape [cells, any]."""
+    given = values.reshape(*BOUND_CELLS, -1)
+    found: Reals = np.full(given.shape, -np.inf)
+    for axis in range(len(BOUND_CELLS)):
+        of, to = np.moveaxis(given, axis, 0), np.moveaxis(found, axis, 0)
+        np.maximum(to[1:], of[:-1], out=to[1:])
+        np.maximum(to[:-1], of[1:], out=to[:-1])
+    return found.reshape(values.shape)

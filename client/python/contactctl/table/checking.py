@@ -9,7 +9,7 @@ import numpy as np
 
 from contactd import CreepTable
 
-from .bound_cells import BOUND_CELLS, cell_numbers, is_apex
+from .bound_cells import BOUND_CELLS, adjacent, cell_numbers, is_apex
 from .check_plan import RANDOM, CheckPlan, Search, measure
 from .nodes import interpolated
 from .plan import Reals, digest, opened
@@ -68,14 +68,17 @@ class Findings:
         return [Search(digest(self.plan.samples[0].key, *start), *start) for start in starts]
 
     def bounds(self, searched: tuple[Reals, Reals]) -> Reals:
-        """Returns the bounds of all cells, of shape [cells, 2]: the solver's share, and the largest of twice the sampled
-        differences and of those found by searches. Cells without a state have the largest bound.
+        """Returns the bounds of all cells, of shape [cells, 2]: the solver's share, and the largest of these differences:
+        twice the sampled ones in the cell, those in adjacent cells except the apex, because a cell has few states, and
+        those found by searches. Cells without a state have the largest bound.
         """
-        largest: Reals = np.full((np.prod(BOUND_CELLS), 2), -1.0)
-        np.maximum.at(largest, self.cells, FACTOR * self.errors)
+        sampled: Reals = np.full((np.prod(BOUND_CELLS), 2), -1.0)
+        np.maximum.at(sampled, self.cells, self.errors)
+        at_apex = is_apex(self.plan.ends)[:, None]
+        largest = np.maximum(FACTOR * sampled, adjacent(np.where(at_apex, -1, sampled)))
         np.maximum.at(largest, cell_numbers(self.plan.ends, searched[0]), searched[1])
-        largest[largest < 0] = np.broadcast_to(largest.max(axis=0), largest.shape)[largest < 0]
-        bounds: Reals = largest + np.where(is_apex(self.plan.ends)[:, None], self.apex_share, self.share)
+        largest = np.where(sampled < 0, largest.max(axis=0), largest)
+        bounds: Reals = largest + np.where(at_apex, self.apex_share, self.share)
         return bounds
 
 

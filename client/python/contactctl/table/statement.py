@@ -89,7 +89,7 @@ def _statement(plan: CheckPlan, result: dict[str, Any]) -> str:
     ends = [plan.nu] if plan.nu is not None else sorted({plan.table.nu[0], plan.table.nu[-1]})
     of_apex = [
         "No state around the apex, pure spin at full slip with a/b above 2, was checked." if not result["errors"]["around the apex"]["states"] else
-        f"Around the apex, pure spin at full slip with a/b above 2, it is {pair(result['largest_at_apex'])}, and the uncertainty {pair(result['solver_at_apex'])}.",
+        f"Around the apex, pure spin at full slip with a/b above 2, the largest difference is {pair(result['largest_at_apex'])}, and the uncertainty {pair(result['solver_at_apex'])}.",
     ]  # fmt: skip
     sentences = [
         f"Against the full theory of half-spaces, nu {' to '.join(f'{nu:g}' for nu in ends)}, in parts of mu Fn (moments in brackets, of mu Fn c):",

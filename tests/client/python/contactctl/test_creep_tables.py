@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import contactd
-from contactctl.table.bound_cells import BOUND_CELLS, cell_numbers, is_apex
+from contactctl.table.bound_cells import BOUND_CELLS, adjacent, cell_numbers, is_apex
 from contactctl.table.check_plan import RANDOM, CheckPlan
 from contactctl.table.nodes import extrapolated, interpolated
 from contactctl.table.plan import TablePlan
@@ -192,6 +192,15 @@ def test_other_states_of_a_check_lie_in_every_cell():
     counts = np.bincount(cell_numbers(plan.ends, points), minlength=np.prod(BOUND_CELLS))
     assert counts.min() >= 1
     assert counts[is_apex(plan.ends)].mean() > 2 * counts.mean()
+
+
+def test_adjacent_cells_share_a_face():
+    values = np.zeros((np.prod(BOUND_CELLS), 1))
+    corner, inside = 0, int(np.ravel_multi_index((4, 4, 2, 4), BOUND_CELLS))
+    values[corner], values[inside] = 1, 2
+    found = adjacent(values).ravel()
+    assert ((found == 1).sum(), (found == 2).sum()) == (4, 8)
+    assert (found[corner], found[inside]) == (0, 0)
 
 
 def test_the_states_of_a_check_remain_if_it_gets_more():
