@@ -1,6 +1,7 @@
 // Measures whole contact problems, normal and tangential, as in a request: solve_contact with existing operators.
 // Counter A_p is the time of the row in products A p (one scalar convolution), measured in the same run.
 #include "contact_cases.hpp"
+#include "contactd/contact_gradients.hpp"
 #include "contactd/solve_contact.hpp"
 
 namespace {
@@ -67,6 +68,37 @@ void run_derivatives(benchmark::State& state, ContactProblem problem) {
     state.counters["derivatives_A_p"] = more / product;
     state.counters["of_the_solve"] = more / bench::median(plain_seconds);
     state.counters["derivatives_iterations"] = solution.evidence.derivatives->iterations;
+}
+
+// Measures gradients by all inputs; the row is the solve. Counters are the cost of one and of three outputs relative to
+// alternating solves, in products, and the numbers of their iterations.
+void run_gradients(benchmark::State& state, const ContactProblem& problem) {
+    Observer observer;
+    const ContactInfluence influence = make_influence(problem, bench::pair_table(problem));
+    std::vector<Cotangents> outputs(3);
+    outputs[0].Fx = outputs[1].Fy = outputs[2].Mz = 1;
+    const std::vector<Cotangents> one(outputs.begin(), outputs.begin() + 1);
+    const std::vector<GradientInput> by{GradientInput::gap, GradientInput::mu, GradientInput::rigid_slip};
+    ContactSolution solution;
+    std::vector<double> solve_seconds, one_seconds, three_seconds;
+    ContactGradients of_one, of_three;
+    bench::count_in_products(state, *influence.current, [&] {
+        const double start = bench::processor_seconds();
+        solution = solve_contact(problem, influence, observer);
+        const double solved = bench::processor_seconds();
+        of_one = contact_gradients(problem, influence, solution, one, by, observer);
+        const double once = bench::processor_seconds();
+        of_three = contact_gradients(problem, influence, solution, outputs, by, observer);
+        solve_seconds.push_back(solved - start);
+        one_seconds.push_back(once - solved);
+        three_seconds.push_back(bench::processor_seconds() - once);
+        return bench::evidence_of(solution);
+    });
+    const double solve = bench::median(solve_seconds);
+    state.counters["one_of_the_solve"] = bench::median(one_seconds) / solve;
+    state.counters["three_of_the_solve"] = bench::median(three_seconds) / solve;
+    state.counters["one_iterations"] = of_one.evidence.iterations;
+    state.counters["three_iterations"] = of_three.evidence.iterations;
 }
 
 // Measures pressures of viscoelastic bodies in rolling. Counters are their time over that of alternating runs of NORM
@@ -214,6 +246,16 @@ void derivatives_of_unlike_bodies_that_roll(benchmark::State& state) {
     run_derivatives(state, on_softer_body(size_of(state), rolling()));
 }
 
+void gradients_of_shift(benchmark::State& state) {
+    run_gradients(state, on_ellipse(size_of(state), shift()));
+}
+void gradients_of_steady_rolling(benchmark::State& state) {
+    run_gradients(state, on_ellipse(size_of(state), rolling()));
+}
+void gradients_of_unlike_bodies_that_roll(benchmark::State& state) {
+    run_gradients(state, on_softer_body(size_of(state), rolling()));
+}
+
 void sizes(benchmark::internal::Benchmark* rows) {
     rows->ArgName("n")->Arg(25)->Arg(50)->Arg(100)->Unit(benchmark::kMicrosecond);
 }
@@ -240,6 +282,9 @@ BENCHMARK(derivatives_of_steady_rolling)->Apply(sizes);
 BENCHMARK(derivatives_of_transient_step)->Apply(sizes);
 BENCHMARK(derivatives_of_unlike_bodies_that_shift)->Apply(sizes);
 BENCHMARK(derivatives_of_unlike_bodies_that_roll)->Apply(sizes);
+BENCHMARK(gradients_of_shift)->Apply(sizes);
+BENCHMARK(gradients_of_steady_rolling)->Apply(sizes);
+BENCHMARK(gradients_of_unlike_bodies_that_roll)->Apply(sizes);
 
 }  // namespace
 

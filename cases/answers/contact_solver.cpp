@@ -1,7 +1,7 @@
 #include "contact_solver.hpp"
 
 #include "contact/answers/displacements.hpp"
-#include "contact/problem_of_regions.hpp"
+#include "contact/support/problem_of_regions.hpp"
 #include "contactd/half_space.hpp"
 #include "contactd/ic_record.hpp"
 #include "contactd/observer.hpp"

@@ -1,6 +1,7 @@
 // Computes gradients of the answers of a solved contact by the transpose of its linearised equations.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,10 @@
 
 namespace contactd {
 
+/// Bounds of the number of outputs at once, and of Cotangents::norm_order.
+inline constexpr std::size_t most_outputs = 100;
+inline constexpr double largest_norm_order = 1000;
+
 struct ContactGradients {
     std::vector<Gradient> outputs;  ///< one per output, empty without contact or if the equations did not converge
     SolverEvidence evidence;        ///< total number of iterations and largest residual of the linear equations
@@ -19,7 +24,7 @@ struct ContactGradients {
 
 /// Throws InvalidArgument ("vjp", or a field of it) if the problem or an output has no gradients: simplified models,
 /// curved columns, penetration, viscoelastic bodies, slip laws, friction by temperature, layers that yield, more than
-/// one step, and arrays of the wrong size. `size` of `by` does not matter to the result of other inputs.
+/// one step, and arrays of the wrong size.
 void validate_gradients(const ContactProblem& problem, const std::vector<Cotangents>& outputs,
                         const std::vector<GradientInput>& by);
 

@@ -17,6 +17,8 @@
 #include "contact/outer/boundary_elements.hpp"
 #include "contact/penetration/virtual_penetration.hpp"
 #include "contact/rolling/rolling.hpp"
+#include "contact/support/problem_of_regions.hpp"
+#include "contact/support/sheets_between.hpp"
 #include "contact/warnings/discretisation.hpp"
 #include "contact/warnings/layer_resolution.hpp"
 #include "contact/warnings/uniqueness.hpp"
@@ -24,9 +26,6 @@
 #include "contactd/error.hpp"
 #include "contactd/strip_frames.hpp"
 #include "fatigue/contact_fatigue.hpp"
-#include "operators/sheets/sheet_step.hpp"
-#include "operators/sheets/thin_sheet.hpp"
-#include "problem_of_regions.hpp"
 #include "types/number_text.hpp"
 #include "wear/contact_wear.hpp"
 
@@ -185,18 +184,6 @@ void warn(const ContactProblem& problem, ContactSolution& solution) {
                                 "the solution neglects. Use a larger grid.");
 }
 
-/// The layer of a third body shears like a sheet.
-void add_sheets(const ContactProblem& problem, ContactInfluence& bodies) {
-    const bool sheared = problem.friction && problem.friction->layer;
-    const SheetFlexibility sheets{problem.sheet_flexibility, sheared ? problem.friction->layer->flexibility : 0};
-    if (sheets.normal > 0 || sheets.tangential > 0)
-        bodies.current = std::make_shared<const ThinSheet>(std::move(bodies.current), sheets);
-    if (!(sheets.tangential > 0) || !bodies.increment) return;
-    const auto [x, y] = step_of(problem);
-    bodies.increment =
-        std::make_shared<const SheetStep>(std::move(bodies.increment), problem.grid, x, y, sheets.tangential);
-}
-
 void find_wear(const ContactProblem& problem, ContactSolution& solution) {
     if (!problem.wear || !solution.motion) return;
     const WearPlace place = wear_place(problem, std::get<Rolling>(*solution.motion));
@@ -230,8 +217,7 @@ ContactSolution solve_valid(const ContactProblem& problem, const ContactInfluenc
                                           " elements; the influence coefficients are for " +
                                           std::to_string(influence.current->size()));
     require_layers_resolved(problem);
-    ContactInfluence bodies = influence;
-    add_sheets(problem, bodies);
+    const ContactInfluence bodies = with_sheets(problem, influence);
     ContactSolution solution = solve_boundary_elements(problem, bodies, observer);
     count_elements(problem, solution);
     sum_up(problem, solution);

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "contact/rolling/transposed_compliance.hpp"
 #include "contact/support/entering_particles.hpp"
 #include "contact/support/traction_loops.hpp"
 
@@ -51,6 +52,11 @@ Values product(Values a, const Values& b) {
     return a;
 }
 
+/// Sections change from row to row.
+Reflection::Axes axes_of(const ContactProblem& problem) {
+    return problem.bodies.any_uniform() || problem.columns ? Reflection::Axes::along_x : Reflection::Axes::both;
+}
+
 double mean(const Values& values) {
     return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -58,7 +64,7 @@ double mean(const Values& values) {
 }  // namespace
 
 FrozenContact::FrozenContact(const ContactProblem& problem, const ContactInfluence& influence,
-                             const ContactSolution& solution)
+                             const ContactSolution& solution, Equations equations)
     : restriction_(*influence.current, box_of_pressures(*influence.current, solution.pressure), false),
       part_increment_(is_steady_rolling(problem) && !restriction_.is_whole()
                           ? influence.increment->on(restriction_.box())
@@ -68,6 +74,10 @@ FrozenContact::FrozenContact(const ContactProblem& problem, const ContactInfluen
       increment_(is_whole_ && is_steady_rolling(problem) ? influence.increment.get() : part_increment_.get()),
       grid_(is_whole_ ? problem.grid : restriction_.crop(problem.grid)),
       coupled_(problem.friction && influence.current->coupled()),
+      is_transposed_(equations == Equations::transposed),
+      transposed_(is_transposed_ && increment_ != nullptr
+                      ? std::make_unique<TransposedStep>(*increment_, grid_, axes_of(problem))
+                      : nullptr),
       pressure_(crop(solution.pressure)),
       mu_(crop(coefficients(problem))),
       entering_(entering(problem, grid_, pressure_)),
@@ -89,7 +99,11 @@ FrozenContact::FrozenContact(const ContactProblem& problem, const ContactInfluen
     const auto [x, y] = step_of(problem);
     // Several right-hand sides share steps, so that levels would save a sixth of them and make each half as expensive
     // again.
-    compliance_ = compliance_of({influence_, increment_, grid_, x, y, PreconditionerLevels::never}, rubbed_);
+    if (transposed_)
+        compliance_ = std::make_unique<TransposedCompliance>(RollingBodies{influence_, *increment_, grid_, x, y},
+                                                             rubbed_, axes_of(problem));
+    else
+        compliance_ = compliance_of({influence_, increment_, grid_, x, y, PreconditionerLevels::never}, rubbed_);
     compliance_->linearise(law_);
     take_weights();
 }
@@ -186,9 +200,11 @@ void FrozenContact::add_free() {
     }
 }
 
-// Computes s_ = K q_.
+// Computes s_ = K q_, or K^T q_.
 void FrozenContact::find_slip() {
-    if (increment_ != nullptr)
+    if (transposed_)
+        transposed_->tangential(q_, s_);
+    else if (increment_ != nullptr)
         increment_->tangential(q_.x, q_.y, s_.x, s_.y);
     else
         influence_.tangential(q_.x, q_.y, s_.x, s_.y);
@@ -239,6 +255,7 @@ void FrozenContact::precondition_tangential(const Vector& r, Vector& z, int step
 }
 
 void FrozenContact::all(const Vector& both, Vector& result) {
+    if (is_transposed_) return all_transposed(both, result);
     const Vector dp = both.head(pressures());
     take_bounds(bound_of_pressure(dp));
     take_free(both.tail(tractions()));

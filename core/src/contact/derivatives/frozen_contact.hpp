@@ -8,6 +8,7 @@
 
 #include "contact/newton/compliance.hpp"
 #include "contact/rolling/friction_bodies.hpp"
+#include "contact/rolling/transposed_step.hpp"
 #include "contact/support/contact_elements.hpp"
 #include "contactd/contact.hpp"
 #include "contactd/contact_influence.hpp"
@@ -27,13 +28,21 @@ namespace contactd {
 // contain dp of each element in contact, or the free components of dq: first the one along x for each element that
 // adheres, or across its traction for each that slips, and then the one along y for those that adhere. Vectors of all
 // unknowns contain dp first. The right-hand side is the residual of the equations.
+//
+// The transposed equations have the same form, with K^T of rolling backwards, and the same preconditioner. Their
+// unknowns are l of each pressure and f, with y = B f for the free directions B:
+//
+//     A_zz l + K_tz^T y + mu n (A_zt^T l + K^T y) = right of the pressures
+//     P (A_zt^T l + K^T y) + D f = right of the tractions
 class FrozenContact {
    public:
     using Vector = Eigen::VectorXd;
     using Values = std::vector<double>;
+    enum class Equations { original, transposed };
 
     // Uses a solution of the solvers, with slip in mm. Problem and operators must outlive this object.
-    FrozenContact(const ContactProblem& problem, const ContactInfluence& influence, const ContactSolution& solution);
+    FrozenContact(const ContactProblem& problem, const ContactInfluence& influence, const ContactSolution& solution,
+                  Equations equations = Equations::original);
 
     // Returns whether pressures depend on tractions. Otherwise the tangential part of the equations is separate.
     bool coupled() const { return coupled_; }
@@ -91,8 +100,28 @@ class FrozenContact {
     // Copies dp to the elements of the problem's grid; values outside the contact do not change.
     void paste(const Vector& dp, Values& whole);
 
-   private:
+    // The following are for the transposed equations. Their arrays have one value per element of a box around the
+    // contact, into which crop() and paste() convert.
     Values crop(std::span<const double> whole) const;
+    Values paste(const Values& box, std::size_t size) const;
+    const Grid& grid() const { return grid_; }
+    const Contact& pressed() const { return pressed_; }
+    const Values& mu() const { return mu_; }            // of each element of the box
+    const Field& direction() const { return radial_; }  // n
+    // Returns the right-hand side B^T q, with its weighted length before the product.
+    Right of_tractions(const Field& q);
+    // Returns y = B f.
+    Field tractions_of(const Eigen::Ref<const Vector>& f);
+    // Return K^T y and, of coupled bodies, K_tz^T y.
+    Field transposed_slip(const Field& y);
+    Values transposed_coupling(const Field& y);
+    // Returns A_zt^T l of coupled bodies.
+    Field slip_of_normal(const Values& l) const;
+    // Returns the largest relative difference of <K q, y> and <q, K^T y>, and of the same products of the coupling.
+    double reciprocity_error(const Field& q, const Field& y, const Values& p);
+
+   private:
+    void all_transposed(const Vector& both, Vector& result);
     void take_law(const ContactSolution& solution);
     void take_rigid_slip(int direction);
     void take_weights();
@@ -112,7 +141,9 @@ class FrozenContact {
     const InfluenceOperator& influence_;
     const StepOperator* increment_;
     const Grid grid_;
-    const bool coupled_;
+    const bool coupled_, is_transposed_;
+    // For the transposed equations of steady rolling; null otherwise.
+    const std::unique_ptr<TransposedStep> transposed_;
     const Values pressure_, mu_;
     const Values entering_;           // EnteringParticles::part; empty if none enters
     Field radial_;                    // n

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "contactd/contact.hpp"
-#include "contactd/solve_contact.hpp"
+#include "contactd/contact_influence.hpp"
 #include "operators/region_operator.hpp"
 
 namespace contactd {
