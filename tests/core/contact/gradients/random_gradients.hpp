@@ -116,7 +116,7 @@ inline void add_elements(const ContactProblem& problem, const ContactSolution& s
             pressed[static_cast<std::size_t>(dice.uniform(0, 0.999) * static_cast<double>(pressed.size()))];
         inputs.push_back({"gap", depth, [i](ContactProblem& p, double by) { std::get<Values>(*p.gap)[i] += by; },
                           [i](const Gradient& g) { return g.gap[i]; }});
-        if (!(mu > 0)) continue;
+        if (!(mu > 0 && problem.friction->mu_of(i) > 0)) continue;
         inputs.push_back({"mu", mu,
                           [i](ContactProblem& p, double by) {
                               if (p.friction->mu.size() == 1) p.friction->mu.assign(p.grid.size(), p.friction->mu[0]);
