@@ -18,7 +18,10 @@ struct Cotangents {
     DerivativesByShift rigid_shift{};       ///< of shifts that prescribed forces determine (1/mm)
     double frictional_work = 0;             ///< of a shift (1/(N mm))
     double frictional_power = 0;            ///< of rolling (s/(N mm))
-    double pmax = 0;                        ///< of the largest pressure (mm^2/N), at the first element that has it
+    /// Of the work (shift) or power (rolling) that friction dissipates in each row of elements, shape [ny]; with the
+    /// derivatives of a wear law, the wear of a profile.
+    std::vector<double> loss_of_rows;
+    double pmax = 0;  ///< of the largest pressure (mm^2/N), at the first element that has it
     /// Of the norm (sum p^order dx dy)^(1/order) of the pressures, a smooth substitute for pmax.
     double pressure_norm = 0;
     double norm_order = 8;  ///< >= 1
@@ -46,8 +49,8 @@ struct GradientByPrevious {
 };
 
 /// Holds the gradient of one output, in units of J over those of the input. Inputs that the problem does not have, or
-/// that were not requested, are absent. The division into contact, adhesion and slip is held constant. Prescribed forces
-/// are held, and the motion that they determine follows; without prescribed forces the motion is held.
+/// that were not requested, are absent. The division into contact, adhesion and slip is held constant. Prescribed
+/// forces are held, and the motion that they determine follows; without prescribed forces the motion is held.
 struct Gradient {
     std::optional<double> approach{}, Fn{};           ///< the prescribed one of the two
     std::optional<double> xi{}, eta{}, phi{};         ///< of rolling, if prescribed

@@ -19,10 +19,15 @@ void add_forces(const Cotangents& output, const Grid& grid, OutputWeights& weigh
         }
 }
 
-// The work is -sum q.s dx dy over the elements that slip.
-void add_losses(double factor, const ContactSolution& solution, OutputWeights& weights) {
-    for (std::size_t i = 0; factor != 0 && i < solution.slip_x.size(); ++i) {
+// The work is -sum q.s dx dy over the elements that slip; `unit` converts it to the power of rolling.
+void add_losses(const Cotangents& output, const Grid& grid, double unit, const ContactSolution& solution,
+                OutputWeights& weights) {
+    const double whole = output.frictional_work + output.frictional_power;  // A problem has one of them.
+    if (whole == 0 && output.loss_of_rows.empty()) return;
+    for (std::size_t i = 0; i < solution.slip_x.size(); ++i) {
         if (solution.element_division[i] != ElementState::slip) continue;
+        const std::size_t row = i / static_cast<std::size_t>(grid.nx);
+        const double factor = unit * (whole + (output.loss_of_rows.empty() ? 0 : output.loss_of_rows[row]));
         weights.traction.x[i] -= factor * solution.slip_x[i];
         weights.traction.y[i] -= factor * solution.slip_y[i];
         weights.slip.x[i] -= factor * solution.traction_x[i];
@@ -52,9 +57,7 @@ OutputWeights weights_of(const Cotangents& output, const Grid& grid, const Conta
     const double area = grid.element_area();
     add_forces(output, grid, weights);
     const auto* rolling = solution.motion ? std::get_if<Rolling>(&*solution.motion) : nullptr;
-    add_losses(
-        area * (rolling != nullptr ? output.frictional_power * rolling->velocity / unit : output.frictional_work),
-        solution, weights);
+    add_losses(output, grid, area * (rolling != nullptr ? rolling->velocity / unit : 1), solution, weights);
     if (output.pmax != 0)
         weights.pressure[static_cast<std::size_t>(std::ranges::max_element(solution.pressure) -
                                                   solution.pressure.begin())] += output.pmax;

@@ -100,28 +100,37 @@ void check_scalars(const ContactProblem& problem, const Cotangents& output, cons
             "is " + number_text(output.norm_order) + "; it must lie between 1 and " + number_text(largest_norm_order));
 }
 
+struct Array {
+    const char* name;
+    const std::vector<double>& values;
+    bool needs_friction;
+    std::size_t size;
+    const char* of;
+};
+
+void check_array(const ContactProblem& problem, const Array& array, const std::string& path) {
+    if (array.values.empty()) return;
+    const std::string field = path + "." + array.name;
+    if (array.needs_friction && !problem.friction)
+        throw InvalidArgument(field, "is given, but the problem has no friction; remove it");
+    if (array.values.size() != array.size)
+        throw InvalidArgument(field, "has " + std::to_string(array.values.size()) + " values; the grid has " +
+                                         std::to_string(array.size) + " " + array.of);
+    for (const double value : array.values)
+        if (!std::isfinite(value))
+            throw InvalidArgument(field, "contains " + number_text(value) + "; all values must be finite");
+}
+
 void check_arrays(const ContactProblem& problem, const Cotangents& output, const std::string& path) {
-    const struct {
-        const char* name;
-        const std::vector<double>& values;
-        bool tangential;
-    } arrays[] = {{"pressure", output.pressure, false},
-                  {"traction_x", output.traction_x, true},
-                  {"traction_y", output.traction_y, true},
-                  {"slip_x", output.slip_x, true},
-                  {"slip_y", output.slip_y, true}};
-    for (const auto& [name, values, tangential] : arrays) {
-        if (values.empty()) continue;
-        const std::string field = path + "." + name;
-        if (tangential && !problem.friction)
-            throw InvalidArgument(field, "is given, but the problem has no friction; remove it");
-        if (values.size() != problem.grid.size())
-            throw InvalidArgument(field, "has " + std::to_string(values.size()) + " values; the grid has " +
-                                             std::to_string(problem.grid.size()) + " elements");
-        for (const double value : values)
-            if (!std::isfinite(value))
-                throw InvalidArgument(field, "contains " + number_text(value) + "; all values must be finite");
-    }
+    const std::size_t size = problem.grid.size(), rows = static_cast<std::size_t>(problem.grid.ny);
+    const char* elements = "elements";
+    const Array arrays[] = {{"pressure", output.pressure, false, size, elements},
+                            {"traction_x", output.traction_x, true, size, elements},
+                            {"traction_y", output.traction_y, true, size, elements},
+                            {"slip_x", output.slip_x, true, size, elements},
+                            {"slip_y", output.slip_y, true, size, elements},
+                            {"loss_of_rows", output.loss_of_rows, true, rows, "rows"}};
+    for (const Array& array : arrays) check_array(problem, array, path);
 }
 
 }  // namespace

@@ -77,6 +77,9 @@ TEST_CASE("outputs that a problem does not have are refused", "[gradients]") {
     output.pressure = Values(320, std::numeric_limits<double>::infinity());
     check_refused(rolling, "vjp[0].pressure contains inf; all values must be finite", output);
     output = {};
+    output.loss_of_rows = {1};
+    check_refused(rolling, "vjp[0].loss_of_rows has 1 values; the grid has 16 rows", output);
+    output = {};
     output.traction_x = Values(256);
     check_refused(normal, "vjp[0].traction_x is given, but the problem has no friction", output);
     CHECK_THROWS_AS(validate_gradients(rolling, {}, {}), InvalidArgument);

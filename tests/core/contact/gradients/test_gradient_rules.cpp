@@ -162,6 +162,24 @@ TEST_CASE("a body that becomes softer alone couples pressures and slip", "[gradi
     CHECK(std::abs(found.outputs[0].upper->G - found.outputs[0].lower->G) > 0.01 * std::abs(found.outputs[0].lower->G));
 }
 
+TEST_CASE("the losses of all rows are the whole", "[gradients]") {
+    const bool rolls = GENERATE(false, true);
+    const ContactProblem problem = rolls ? rolling_steel() : shifted_patch();
+    const ContactSolution solution = solve_half_spaces(problem);
+    Cotangents rows, lower, upper;
+    rows.loss_of_rows.assign(static_cast<std::size_t>(problem.grid.ny), 2);
+    lower.loss_of_rows = upper.loss_of_rows = Values(rows.loss_of_rows.size());
+    for (std::size_t row = 0; row < rows.loss_of_rows.size(); ++row) (row < 6 ? lower : upper).loss_of_rows[row] = 2;
+    const ContactGradients found = gradients_of(
+        problem, solution,
+        {output_of(rolls ? &Cotangents::frictional_power : &Cotangents::frictional_work, 2), rows, lower, upper},
+        {GradientInput::gap});
+    const double whole = *found.outputs[0].approach;
+    CHECK_THAT(*found.outputs[1].approach, WithinRel(whole, 1e-6));
+    CHECK_THAT(*found.outputs[2].approach + *found.outputs[3].approach, WithinRel(whole, 1e-4));
+    CHECK(std::abs(*found.outputs[2].approach) > 1e-3 * std::abs(whole));
+}
+
 TEST_CASE("a tie of the largest pressures is warned of", "[gradients]") {
     ContactProblem problem = pressed_patch();
     problem.gap = Paraboloid{50, 50};
