@@ -97,9 +97,12 @@ std::optional<double> s_of_depth(const ProfileCurve& profile, double cant, doubl
     return std::nullopt;
 }
 
+double s_of_least_y(const ProfileCurve& profile, double cant, double from, double to) {
+    return place_of_least(y_of(profile, cant), from, to);
+}
+
 double least_y(const ProfileCurve& profile, double cant, double from, double to) {
-    const Coordinate across = y_of(profile, cant);
-    return across.at(place_of_least(across, from, to));
+    return y_of(profile, cant).at(s_of_least_y(profile, cant, from, to));
 }
 
 }  // namespace contactd::geometry

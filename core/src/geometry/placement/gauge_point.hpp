@@ -15,7 +15,8 @@ double s_of_top(const ProfileCurve& profile, double cant);
 /// none.
 std::optional<double> s_of_depth(const ProfileCurve& profile, double cant, double s, double z);
 
-/// Returns the least y between two places of the rotated curve.
+/// Return the place of the least y between two places of the rotated curve, and that y.
+double s_of_least_y(const ProfileCurve& profile, double cant, double from, double to);
 double least_y(const ProfileCurve& profile, double cant, double from, double to);
 
 /// Returns a point rotated by the cant.

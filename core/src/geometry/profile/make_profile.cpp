@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 #include <utility>
 #include <variant>
 
@@ -11,6 +10,7 @@
 #include "geometry/profile/cleaning.hpp"
 #include "geometry/profile/formula_points.hpp"
 #include "geometry/profile/measured_points.hpp"
+#include "geometry/profile/profile_fit.hpp"
 #include "geometry/profile/profile_warnings.hpp"
 #include "geometry/profile/smoothing.hpp"
 #include "geometry/profile/wheel_landmarks.hpp"
@@ -19,55 +19,8 @@
 namespace contactd {
 namespace {
 
+using geometry::Fit;
 using geometry::Points;
-
-/// Describes how points become a curve.
-struct Fit {
-    double length = 0, lambda = 0;  // as in ProfileFile
-    int order = 2;
-    KinkRule kinks{};
-
-    bool smooths() const { return length > 0 || lambda > 0; }
-};
-
-/// Returns the weights of points: equal, or proportional to their distances. They are larger at the fixed ends and,
-/// unless of third order, at kinks.
-std::vector<double> weights_between(const std::vector<double>& s, std::size_t from, std::size_t to, const Fit& fit) {
-    std::vector<double> weights;
-    for (std::size_t i = from; i <= to; ++i) {
-        const double before = i > from ? s[i] - s[i - 1] : 0, behind = i < to ? s[i + 1] - s[i] : 0;
-        const bool end = i == 0 || i + 1 == s.size(), kink = !end && (i == from || i == to);
-        const double share = fit.lambda > 0 ? 1 : (before + behind) / 2 * (end ? 20 : 1);
-        weights.push_back(kink && fit.order == 2 ? 100 * share : share);
-    }
-    return weights;
-}
-
-/// Smooths each part between kinks separately; where two meet, the mean of both is used.
-Points smoothed(const ProfileCurve& rough, const Fit& fit) {
-    const Points& points = rough.points();
-    const auto& s = rough.knots();
-    const double lambda = fit.lambda > 0 ? fit.lambda : geometry::lambda_of(fit.length);
-    Points smooth(points.size());
-    std::size_t from = 0;
-    for (std::size_t part = 0; part <= rough.kinks().size(); ++part) {
-        const std::size_t to = part < rough.kinks().size() ? rough.kinks()[part] : points.size() - 1;
-        const auto weights = weights_between(s, from, to, fit);
-        for (double ProfilePoint::* coordinate : {&ProfilePoint::y, &ProfilePoint::z}) {
-            std::vector<double> values;
-            for (std::size_t i = from; i <= to; ++i) values.push_back(points[i].*coordinate);
-            const std::span<const double> knots(s.data() + from, values.size());
-            const auto found = fit.order == 2 ? geometry::smoothed(knots, values, weights, lambda)
-                                              : geometry::smoothed_by_third(knots, values, weights, fit.length);
-            for (std::size_t i = from; i <= to; ++i) {
-                const bool shared = (i == from && from > 0) || (i == to && to + 1 < points.size());
-                smooth[i].*coordinate += (shared ? 0.5 : 1) * found[i - from];
-            }
-        }
-        from = to;
-    }
-    return smooth;
-}
 
 /// Returns the distance of the curve from a point near s on it.
 double distance(const ProfileCurve& curve, const ProfilePoint& point, double s) {
@@ -119,7 +72,7 @@ Profile of_points(const ProfilePoints& given, ProfileKind kind, const Fit& fit, 
     const auto kinks = geometry::kinks_of(points, fit.kinks);
     const ProfileCurve rough(points, kinks);
     const geometry::Visible visible =
-        geometry::visible_part(fit.smooths() ? smoothed(rough, fit) : points, kinks, kind);
+        geometry::visible_part(fit.smooths() ? geometry::smoothed(rough, fit) : points, kinks, kind);
     if (visible.points.size() < 2)
         throw InvalidArgument(fit.lambda > 0 ? "profile.smoothing_lambda" : "profile.smoothing_length",
                               "leaves no part of the profile visible from above; use a smaller one");
@@ -140,12 +93,12 @@ Profile of_points(const ProfilePoints& given, ProfileKind kind, const Fit& fit, 
 }
 
 Profile made_of(const ProfilePoints& given, ProfileKind kind) {
-    return of_points(given, kind, {.length = given.smoothing_length}, given.unit * geometry::rounding_of(given.points));
+    return of_points(given, kind, geometry::fit_of(given), given.unit * geometry::rounding_of(given.points));
 }
 
 Profile made_of(const ProfileFile& file, ProfileKind kind) {
     const PointsOfFile read = points_of(file, kind);
-    const Fit fit{file.smoothing_length, file.smoothing_lambda, file.smoothing_order, file.kinks};
+    const Fit fit = geometry::fit_of(file);
     Profile made = naming_file(file, [&] { return of_points(read.points, kind, fit, read.rounded_to); });
     made.evidence.file = read.reading;
     made.evidence.warnings.insert(made.evidence.warnings.begin(), read.warnings.begin(), read.warnings.end());

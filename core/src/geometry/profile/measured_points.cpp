@@ -19,21 +19,6 @@ std::string text_of(const ProfilePoint& point) {
     return "(" + number_text(point.y) + ", " + number_text(point.z) + ")";
 }
 
-Points in_mm(const ProfilePoints& given) {
-    Points points = given.points;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        ProfilePoint& point = points[i];
-        point.y *= given.mirror_y ? -given.unit : given.unit;
-        point.z *= given.mirror_z ? -given.unit : given.unit;
-        if (!(std::abs(point.y) <= 1e5 && std::abs(point.z) <= 1e5))
-            throw InvalidArgument("profile.points[" + std::to_string(i) + "]",
-                                  "is " + text_of(given.points[i]) +
-                                      "; coordinates must be finite and at most 1e5 mm: correct the point or the unit");
-    }
-    if (points.size() > 1 && points.front().y > points.back().y) std::reverse(points.begin(), points.end());
-    return points;
-}
-
 /// Throws if too little remains, because a profile is not ordered, or stands upright.
 void check_remainder(std::size_t kept, std::size_t given) {
     if (2 * kept < given)
@@ -71,13 +56,28 @@ void check_sense(const Points& points, ProfileKind kind) {
 
 }  // namespace
 
+Points points_in_mm(const ProfilePoints& given) {
+    Points points = given.points;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        ProfilePoint& point = points[i];
+        point.y *= given.mirror_y ? -given.unit : given.unit;
+        point.z *= given.mirror_z ? -given.unit : given.unit;
+        if (!(std::abs(point.y) <= 1e5 && std::abs(point.z) <= 1e5))
+            throw InvalidArgument("profile.points[" + std::to_string(i) + "]",
+                                  "is " + text_of(given.points[i]) +
+                                      "; coordinates must be finite and at most 1e5 mm: correct the point or the unit");
+    }
+    if (points.size() > 1 && points.front().y > points.back().y) std::reverse(points.begin(), points.end());
+    return points;
+}
+
 Points measured_points(const ProfilePoints& given, ProfileKind kind) {
     if (given.points.size() < 2)
         throw InvalidArgument("profile.points",
                               "has " + std::to_string(given.points.size()) +
                                   " entries; a profile needs at least two points, and a measured one about fifty");
     // The mean of a zigzag may coincide with its neighbour.
-    const Points points = without_repetitions(without_zigzags(without_repetitions(in_mm(given))));
+    const Points points = without_repetitions(without_zigzags(without_repetitions(points_in_mm(given))));
     if (const auto crossing = crossing_of(points); crossing.found())
         throw InvalidArgument("profile.points",
                               "cross themselves: the chord from " + text_of(points[crossing.first]) +
