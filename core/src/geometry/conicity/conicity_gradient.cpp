@@ -2,11 +2,14 @@
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <tuple>
 
 #include "contactd/error.hpp"
 #include "geometry/conicity/least_gap.hpp"
+#include "geometry/placement/gauge_point.hpp"
+#include "geometry/placement/rail_origin_gradient.hpp"
 #include "geometry/profile/curve_cotangent.hpp"
 #include "types/number_text.hpp"
 
@@ -193,6 +196,18 @@ ConicityGradient harmonic_gradient(const WheelsetOnTrack& wheelset, double ampli
         }
     }
     return {factor * swing, left.result(), right.result()};
+}
+
+std::vector<ProfilePoint> by_rail_points(const SideGradient& side, const ProfileCurve& rail, const Track& track) {
+    CurveCotangent curve(rail);
+    add_by_rail_origin(track, side.rail_origin, curve);
+    std::vector<ProfilePoint> by_points = curve.by_points();
+    for (std::size_t i = 0; i < by_points.size(); ++i) {
+        const ProfilePoint upright = canted(side.rail[i], -track.cant);
+        by_points[i].y += upright.y;
+        by_points[i].z += upright.z;
+    }
+    return by_points;
 }
 
 }  // namespace contactd::geometry

@@ -29,4 +29,8 @@ struct ConicityGradient {
 ConicityGradient harmonic_gradient(const WheelsetOnTrack& wheelset, double amplitude,
                                    const ConicitySettings& settings = {}, const Observer& observer = Observer());
 
+/// Returns the gradient by the points of a rail's curve without cant, which also move its origin unless the track gives
+/// it. `side` is one of the sides whose rail this is.
+std::vector<ProfilePoint> by_rail_points(const SideGradient& side, const ProfileCurve& rail, const Track& track);
+
 }  // namespace contactd::geometry

@@ -90,6 +90,25 @@ TEST_CASE("The gradient of the conicity of a cone by its slope is one") {
     }
 }
 
+TEST_CASE("Points of a rail with cant move its origin, too") {
+    const ProfileCurve wheel = make_profile({ProfileKind::wheel, S1002{}}).curve,
+                       rail = make_profile({ProfileKind::rail, Rail60E1{}}).curve;
+    Track track;
+    track.cant = 0.025;
+    constexpr double amplitude = 3, step = 2e-4, gauge_side = -36;
+    const auto found = geometry::harmonic_gradient(wheelset_on_track(wheel, rail, track), amplitude);
+    double gradient = 0;
+    for (const auto* side : {&found.left, &found.right})
+        gradient += along_bump(geometry::by_rail_points(*side, rail, track), rail, gauge_side);
+    const auto conicity = [&](double height) {
+        const ProfileCurve changed = with_bump(rail, gauge_side, height);
+        return geometry::harmonic_gradient(wheelset_on_track(wheel, changed, track), amplitude).harmonic;
+    };
+    const double difference = (conicity(step) - conicity(-step)) / (2 * step);
+    CHECK(std::abs(difference) > 1e-4);
+    CHECK_THAT(gradient, WithinRel(difference, 1e-2));
+}
+
 TEST_CASE("The conicity has no gradient with the roll that both contacts require") {
     const ProfileCurve wheel = make_profile({ProfileKind::wheel, S1002{}}).curve,
                        rail = make_profile({ProfileKind::rail, Rail60E1{1.0 / 40}}).curve;
