@@ -10,6 +10,7 @@
 #include "contactd/status.hpp"
 #include "contactd/strip_frames.hpp"
 #include "engine/ics/problem_tables.hpp"
+#include "engine/steps/forces_on_grids.hpp"
 
 namespace contactd::engine {
 namespace {
@@ -163,6 +164,7 @@ SolveReply Engine::solve(const ContactProblem& problem, const IcAnswers& ics, Ob
     SolveReply reply;
     const CachedInfluence cached = influence_of(problem, ics, influences_, observer);
     reply.solution = solve_contact(problem, cached.influence, observer);
+    extrapolate_on_grids(problem, reply.solution, influences_, observer);
     count(reply.solution);
     reply.ics = uses_of(problem, ics);
     reply.operators = cached.use;

@@ -11,6 +11,7 @@
 #include "fatigue/contact_fatigue_check.hpp"
 #include "heat/contact_temperature_check.hpp"
 #include "magnitude.hpp"
+#include "models/force_accuracy_check.hpp"
 #include "number_text.hpp"
 #include "wear/contact_wear_check.hpp"
 
@@ -383,6 +384,7 @@ void check(const ContactProblem& problem, bool complete) {
     check_temperature(problem, complete);
     check_wear(problem, complete);
     check_fatigue(problem, complete);
+    check_force_accuracy(problem, complete);
     check_state(problem.previous, size, "previous");
     check_settings(problem.settings.normal, "settings.normal");
     check_settings(problem.settings.tangential, "settings.tangential");

@@ -5,6 +5,7 @@
 #include "contactd/history.hpp"
 #include "contactd/solve_contact.hpp"
 #include "engine/ics/problem_tables.hpp"
+#include "engine/steps/forces_on_grids.hpp"
 #include "engine/steps/not_converged.hpp"
 
 namespace contactd::engine {
@@ -41,6 +42,7 @@ ContactSolution ContactSteps::solve(const StepState& before, const Overlay& over
     if (problem_.model == Model::full) problem_.previous = problem_.initial = before.tractions;
     fit_influence(cache, observer);
     ContactSolution solution = solve_contact(problem_, influence_.influence, observer);
+    extrapolate_on_grids(problem_, solution, cache, observer);
     for (std::string& warning : operator_warnings(influence_.use)) solution.warnings.push_back(std::move(warning));
     if (!solution.converged() && !accept_unconverged) throw not_converged(solution.evidence);
     influence_.use.reset();  // is reported once, because the steps keep the operators

@@ -106,6 +106,10 @@ def solves() -> Iterator[tuple[dict[str, Any], list[bytes]]]:
         },
         "friction": {"mu": 0.3, "rolling": {**steady, "velocity": 100}},
     }, []
+    yield {
+        **base, "bodies": bodies, "ics": {"source": "analytic"}, "gap": {"semi_axes": {"a": 1, "b": 2}}, "Fn": 2, "accuracy": 0.05,
+        "friction": {"mu": 0.3, "rolling": steady},
+    }, []
     regions = {"limits": [{"x": [-1, -0.9], "y": [0, 1]}, {"x": [-0.9, 0], "y": [0, 1]}], "shares": [1, 0.4, 0.4, 1]}
     yield {**base, "bodies": bodies, "ics": {"source": "analytic"}, "gap": {"paraboloid": {"Rx": 10}}, "Fn": 2, "regions": regions}, []
     creep = {"upper": {"G": 200, "nu": 0.42, "viscoelastic": {"f": 1, "tau": 0.01}}, "lower": {"rigid": True}}

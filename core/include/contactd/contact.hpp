@@ -48,6 +48,25 @@ struct Discretisation {
     bool operator==(const Discretisation&) const = default;
 };
 
+/// Holds the tangential forces on the upper body on a grid around the contact ellipse.
+struct GridForces {
+    int nx = 0, ny = 0;     ///< numbers of elements
+    double Fx = 0, Fy = 0;  ///< (N)
+    double Mz = 0;          ///< (N mm)
+
+    bool operator==(const GridForces&) const = default;
+};
+
+/// Describes the extrapolation of tangential forces to elements of zero size, F = 2 F_fine - F_coarse.
+struct ForceAccuracy {
+    GridForces coarse, fine;  ///< the latter has twice as many elements along each axis
+    double force_error = 0;   ///< stated error of Fx and Fy over mu Fn
+    double moment_error = 0;  ///< stated error of Mz over mu Fn sqrt(ab)
+    bool converged = false;   ///< whether the stated errors meet the request, and the solvers converged on both grids
+
+    bool operator==(const ForceAccuracy&) const = default;
+};
+
 /// Describes normal contact with a prescribed approach or force and, with friction, tangential contact.
 struct ContactProblem : ContactSetup, ContactLoad {};
 
@@ -101,6 +120,7 @@ struct ContactEvidence {
     /// Describes the linear equations of the derivatives, if requested: the total number of iterations and the largest
     /// residual.
     std::optional<SolverEvidence> derivatives;
+    std::optional<ForceAccuracy> accuracy{};  ///< if requested, with contact and friction
 };
 
 /// Arrays have shape [ny, nx], and tractions act on the upper body.

@@ -95,10 +95,16 @@ struct ContactSetup {
     ContactSettings settings;
     std::optional<ContactColumns> columns{};  ///< shape of a surface curved along y; absent: a plane
     std::optional<ContactRegions> regions{};  ///< regions of contact, for model full; absent: everywhere
+    /// Requests tangential forces of steady rolling that are extrapolated to elements of zero size, with this error: of
+    /// Fx and Fy over mu Fn, and of Mz over mu Fn sqrt(ab).
+    std::optional<double> accuracy{};
 };
 
 /// Throws InvalidArgument ("simplified.*", "normal_model") if options do not fit the model.
 void validate_models(const ContactSetup& setup);
+
+/// These are the bounds of ContactSetup::accuracy. The finest grids reach the finer one for most contacts.
+inline constexpr double finest_force_accuracy = 3e-4, coarsest_force_accuracy = 0.1;
 
 /// Returns whether the bodies are those of a line contact, for models full and hertz.
 bool is_line_contact(const ContactSetup& setup);

@@ -27,12 +27,18 @@ namespace {
     [[maybe_unused]] const auto& [contact_, adhesion_, slip_, flow_, border_] = all;
 }
 [[maybe_unused]] void all_of(const ContactEvidence& all) {
-    [[maybe_unused]] const auto& [normal_, tangential_, outer_, force_, discretisation_, derivatives_,
+    [[maybe_unused]] const auto& [normal_, tangential_, outer_, force_, discretisation_, derivatives_, accuracy_,
                                   tangential_solver_] = all;
 }
 [[maybe_unused]] void all_of(const Discretisation& all) {
     [[maybe_unused]] const auto& [elements_across_, force_error_, pmax_error_, source_, rolling_error_,
                                   compliance_ratio_] = all;
+}
+[[maybe_unused]] void all_of(const ForceAccuracy& all) {
+    [[maybe_unused]] const auto& [coarse_, fine_, force_error_, moment_error_, converged_] = all;
+}
+[[maybe_unused]] void all_of(const GridForces& all) {
+    [[maybe_unused]] const auto& [nx_, ny_, Fx_, Fy_, Mz_] = all;
 }
 [[maybe_unused]] void all_of(const RollingResistance& all) {
     [[maybe_unused]] const auto& [force_, power_, centre_of_pressure_, moment_, defect_] = all;
@@ -65,6 +71,8 @@ const FieldType& type_of<ContactProblem>() {
         fields::field_along<ContactProblem, &ContactProblem::previous>("previous"),
         fields::field_along<ContactProblem, &ContactProblem::columns>("columns"),
         fields::field_along<ContactProblem, &ContactProblem::regions>("regions"),
+        fields::field_along<ContactProblem, &ContactProblem::accuracy>("accuracy",
+                                                                       {.bounds = {.least = 0.0003, .most = 0.1}}),
         fields::field_along<ContactProblem, &ContactProblem::settings>("settings"),
         fields::field_along<ContactProblem, &ContactProblem::initial>("initial"),
         fields::field_along<ContactProblem, &ContactProblem::derivatives>("derivatives"),
@@ -165,6 +173,7 @@ const FieldType& type_of<ContactEvidence>() {
         fields::field<&ContactEvidence::force>("force"),
         fields::field<&ContactEvidence::discretisation>("discretisation"),
         fields::field<&ContactEvidence::derivatives>("derivatives"),
+        fields::field<&ContactEvidence::accuracy>("accuracy"),
         fields::field<&ContactEvidence::tangential_solver>("tangential_solver"),
     });
     static const FieldType type = fields::object_type(list);
@@ -180,6 +189,32 @@ const FieldType& type_of<Discretisation>() {
         fields::field<&Discretisation::source>("source", {.required = true}),
         fields::field<&Discretisation::rolling_error>("rolling_error", {.bounds = {.least = 0}}),
         fields::field<&Discretisation::compliance_ratio>("compliance_ratio"),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<ForceAccuracy>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&ForceAccuracy::coarse>("coarse", {.required = true}),
+        fields::field<&ForceAccuracy::fine>("fine", {.required = true}),
+        fields::field<&ForceAccuracy::force_error>("force_error", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&ForceAccuracy::moment_error>("moment_error", {.bounds = {.least = 0}, .required = true}),
+        fields::field<&ForceAccuracy::converged>("converged", {.required = true}),
+    });
+    static const FieldType type = fields::object_type(list);
+    return type;
+}
+
+template <>
+const FieldType& type_of<GridForces>() {
+    static const auto list = std::to_array<Field>({
+        fields::field<&GridForces::nx>("nx", {.bounds = {.least = 1}, .required = true}),
+        fields::field<&GridForces::ny>("ny", {.bounds = {.least = 1}, .required = true}),
+        fields::field<&GridForces::Fx>("Fx", {.unit = "N", .required = true}),
+        fields::field<&GridForces::Fy>("Fy", {.unit = "N", .parity = MirrorParity::odd, .required = true}),
+        fields::field<&GridForces::Mz>("Mz", {.unit = "N mm", .parity = MirrorParity::odd, .required = true}),
     });
     static const FieldType type = fields::object_type(list);
     return type;

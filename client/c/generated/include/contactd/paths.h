@@ -364,6 +364,7 @@
 #define CONTACTD_PATH_REGIONS_LIMITS_Y_FROM "regions.limits[%d].y.from"
 #define CONTACTD_PATH_REGIONS_LIMITS_Y_TO "regions.limits[%d].y.to"
 #define CONTACTD_PATH_REGIONS_SHARES "regions.shares"
+#define CONTACTD_PATH_ACCURACY "accuracy"
 #define CONTACTD_PATH_SETTINGS "settings"
 #define CONTACTD_PATH_SETTINGS_NORMAL "settings.normal"
 #define CONTACTD_PATH_SETTINGS_NORMAL_TOLERANCE "settings.normal.tolerance"
@@ -1340,6 +1341,28 @@
     "patches[%d].solution.evidence.derivatives.converged"
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_DERIVATIVES_SECONDS \
     "patches[%d].solution.evidence.derivatives.seconds" /* s */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY "patches[%d].solution.evidence.accuracy"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_COARSE "patches[%d].solution.evidence.accuracy.coarse"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_COARSE_NX "patches[%d].solution.evidence.accuracy.coarse.nx"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_COARSE_NY "patches[%d].solution.evidence.accuracy.coarse.ny"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_COARSE_FX \
+    "patches[%d].solution.evidence.accuracy.coarse.Fx" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_COARSE_FY \
+    "patches[%d].solution.evidence.accuracy.coarse.Fy" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_COARSE_MZ "patches[%d].solution.evidence.accuracy.coarse.Mz"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_FINE "patches[%d].solution.evidence.accuracy.fine"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_FINE_NX "patches[%d].solution.evidence.accuracy.fine.nx"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_FINE_NY "patches[%d].solution.evidence.accuracy.fine.ny"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_FINE_FX \
+    "patches[%d].solution.evidence.accuracy.fine.Fx" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_FINE_FY \
+    "patches[%d].solution.evidence.accuracy.fine.Fy" /* N */
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_FINE_MZ "patches[%d].solution.evidence.accuracy.fine.Mz"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_FORCE_ERROR \
+    "patches[%d].solution.evidence.accuracy.force_error"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_MOMENT_ERROR \
+    "patches[%d].solution.evidence.accuracy.moment_error"
+#define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_ACCURACY_CONVERGED "patches[%d].solution.evidence.accuracy.converged"
 #define CONTACTD_PATH_PATCHES_SOLUTION_EVIDENCE_TANGENTIAL_SOLVER "patches[%d].solution.evidence.tangential_solver"
 #define CONTACTD_PATH_PATCHES_FORCES "patches[%d].forces"
 #define CONTACTD_PATH_PATCHES_FORCES_TRACK "patches[%d].forces.track"
@@ -1382,7 +1405,6 @@
 #define CONTACTD_PATH_RAIL_SEARCH_RESIDUAL "rail_search.residual"
 #define CONTACTD_PATH_RAIL_SEARCH_CONVERGED "rail_search.converged"
 #define CONTACTD_PATH_RAIL_SEARCH_SECONDS "rail_search.seconds" /* s */
-#define CONTACTD_PATH_ACCURACY "accuracy"
 #define CONTACTD_PATH_DERIVATIVES_POSITION "derivatives.position"
 #define CONTACTD_PATH_DERIVATIVES_POSITION_Y "derivatives.position.y"
 #define CONTACTD_PATH_DERIVATIVES_POSITION_Y_FX "derivatives.position.y.Fx" /* N */

@@ -18,6 +18,8 @@ __all__ = [
     "CreepageCoefficients",
     "Discretisation",
     "ErrorSource",
+    "ForceAccuracy",
+    "GridForces",
     "IcErrors",
     "IcEvidence",
     "IcUse",
@@ -329,6 +331,46 @@ class OperatorUse:
 
 
 @dataclass(frozen=True)
+class GridForces:
+    """Forces on the coarser of the last two grids around the contact ellipse.
+
+    Attributes:
+        nx: Number of elements along x.
+        ny: Number of elements along y.
+        Fx: Force on the upper body along x (N).
+        Fy: Force on the upper body along y (N).
+        Mz: Moment on the upper body about z (N mm).
+    """
+
+    nx: int
+    ny: int
+    Fx: float
+    Fy: float
+    Mz: float
+
+
+@dataclass(frozen=True)
+class ForceAccuracy:
+    """Extrapolation of the tangential forces to elements of zero size, and its stated error. Only if accuracy was
+    requested, and with contact and friction.
+
+    Attributes:
+        coarse: Forces on the coarser of the last two grids around the contact ellipse.
+        fine: Forces on the finer one. The forces of the answer are twice these minus the coarse ones.
+        force_error: Stated error of Fx and Fy over mu Fn.
+        moment_error: Stated error of Mz over mu Fn sqrt(a b).
+        converged: True if the stated errors are at most the requested accuracy, and the solvers converged on both
+            grids. Otherwise the answer contains a warning.
+    """
+
+    coarse: GridForces
+    fine: GridForces
+    force_error: float
+    moment_error: float
+    converged: bool
+
+
+@dataclass(frozen=True)
 class ContactEvidence:
     """Convergence of the solvers, and the coefficients that they used. Solvers that did not run are None.
 
@@ -349,6 +391,8 @@ class ContactEvidence:
             of iterations, and the largest relative residual. Simplified models have no such equations.
         operators: Operators larger than store.influence_budget_bytes, of which only the most recently used are kept.
             None for smaller ones.
+        accuracy: Extrapolation of the tangential forces to elements of zero size, and its stated error. Only if
+            accuracy was requested, and with contact and friction.
         tangential_solver: Solver that found the tractions: the solver named by settings.tangential, or TangCG if
             Newton's method stopped. Only for model full with friction.
     """
@@ -361,4 +405,5 @@ class ContactEvidence:
     discretisation: Discretisation | None = None
     derivatives: SolverEvidence | None = None
     operators: OperatorUse | None = None
+    accuracy: ForceAccuracy | None = None
     tangential_solver: TangentialSolver | None = None

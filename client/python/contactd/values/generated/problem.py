@@ -132,6 +132,9 @@ class ContactProblem(ProblemMethods, Saved):
             None: no fatigue.
         regions: Regions in which bodies may touch, and the influence of the pressures of each region on the others.
             Requires model full. None: the whole grid is one region.
+        accuracy: Requests extrapolated tangential forces in steady rolling, with this error: of Fx and Fy over mu Fn,
+            and of Mz over mu Fn sqrt(a b). The solution states the error in `evidence.accuracy`. Arrays, areas and
+            derivatives are those of `grid`. None: forces are those of the grid.
     """
 
     grid: Grid
@@ -164,6 +167,7 @@ class ContactProblem(ProblemMethods, Saved):
     wear: WearRequest | None = None
     fatigue: FatigueRequest | None = None
     regions: ContactRegions | None = None
+    accuracy: float | None = None
 
     @public
     def replace(self, **changes: Unpack[ProblemFields]) -> ContactProblem:
@@ -200,3 +204,4 @@ class ProblemFields(TypedDict, total=False):
     wear: WearRequest | None
     fatigue: FatigueRequest | None
     regions: ContactRegions | None
+    accuracy: float | None

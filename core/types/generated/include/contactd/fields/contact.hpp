@@ -60,6 +60,10 @@ const FieldType& type_of<ContactEvidence>();
 template <>
 const FieldType& type_of<Discretisation>();
 template <>
+const FieldType& type_of<ForceAccuracy>();
+template <>
+const FieldType& type_of<GridForces>();
+template <>
 const FieldType& type_of<RollingResistance>();
 template <>
 const FieldType& type_of<SolverEvidence>();
