@@ -1,5 +1,5 @@
-"""Fuzzes the commands that read untrusted files: contact, wear, study, conform and profile, with damaged files,
-malicious names and signals.
+"""Fuzzes the commands that read untrusted files: contact, wear, study, conform, profile and roughness, with
+damaged files, malicious names and signals.
 
     commands.py [SECONDS] [SEED] runs for this time (default 60); findings are stored in
     build/fuzz/found/commands-SEED-N
