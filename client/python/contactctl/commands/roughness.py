@@ -36,7 +36,7 @@ from contactd.values.wheel_rail.solution import read_wheel_rail
 from ..asking import ask
 from ..common import Command, connected, setting
 from ..files import read_object, writable, write_text
-from ..output import emit, facts, listing
+from ..output import emit, facts, listing, warn
 from ..saving import check_picture
 from ..writing.csv_files import csv_text
 from ..writing.drawing import save_picture
@@ -44,6 +44,7 @@ from ..writing.drawing import save_picture
 __all__ = ["add_to"]
 
 _COLUMNS = ("wavelength", "level", "filter", "filtered", "limit")
+_LEAST_LOAD, _LEAST_RADIUS = 200.0, 5.0  #: N, mm: smaller values are probably in kN and m
 Across = Literal["isotropic", "alike", "measured"]
 
 
@@ -141,6 +142,10 @@ def _across(given: str | None, lines: int) -> Across:
 def _contact(load: float | None, radii: tuple[float, float], case: str | None, wheel: str | None) -> tuple[Weights, float] | None:
     """Returns the weights of the contact, and its force (N); None without a contact."""
     if load is not None:
+        if load < _LEAST_LOAD:
+            warn([f"--load {load:g}: the load is very small for a wheel. Give it in N; is it in kN?"])
+        if min(radii) < _LEAST_RADIUS:
+            warn([f"--radii {radii[0]:g},{radii[1]:g}: the radii are very small for a wheel and a rail. Give them in mm; are they in m?"])
         return hertz_weights(load, *radii, steel), load
     if (given := case or wheel) is None:
         return None

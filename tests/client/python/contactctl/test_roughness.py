@@ -86,6 +86,19 @@ def test_steep_roughness_is_warned_of(there):
 @pytest.mark.parametrize(
     ("words", "sentence"),
     [
+        (("--load", 50), "--load 50: the load is very small for a wheel. Give it in N; is it in kN?"),
+        (("--load", 50e3, "--radii", "0.46,0.3"), "--radii 0.46,0.3: the radii are very small for a wheel and a rail."),
+    ],
+)
+def test_loads_in_kilonewtons_and_radii_in_metres_are_warned_of(there, words, sentence):
+    ended = there("roughness", "noise.csv", *words)
+    assert ended.code == 0
+    assert sentence in ended.err
+
+
+@pytest.mark.parametrize(
+    ("words", "sentence"),
+    [
         (("bare.csv",), "x_unit = None: the unit is neither in the file nor given"),
         (("bare.csv", "--x-unit", "m"), "height_unit = None"),
         (("rail.csv", "--height-unit", "mm"), "height_unit = mm: rail.csv states um"),
