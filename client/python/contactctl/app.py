@@ -79,8 +79,11 @@ def contactctl(
 
 def run(arguments: Sequence[str] | None = None) -> int:
     """Runs the command in `arguments` and returns its exit code."""
-    with heeded_signals():
-        return _run(arguments)
+    try:
+        with heeded_signals():
+            return _run(arguments)
+    except KeyboardInterrupt as error:  # before the command begins, or while it ends
+        return code_of(error)
 
 
 def _run(arguments: Sequence[str] | None) -> int:
@@ -95,8 +98,6 @@ def _run(arguments: Sequence[str] | None) -> int:
         return Code.USAGE
     except click.Abort:
         return Code.INTERRUPTED
-    except KeyboardInterrupt as error:  # before the command has begun
-        return code_of(error)
     except SystemExit:  # is click's, but its help is hidden
         drop_output()
         return Code.PIPE
