@@ -27,6 +27,7 @@ ROOT = Path(__file__).parents[2]
 LONGEST = 20.0  #: s, as of the other targets
 LONGEST_END = 2.0  #: s from a signal
 SLACK = 3.0  #: s, for a machine that does other things, too
+LARGEST = 64 << 20  #: characters of a damaged file; repeated damage would make gigabytes
 SECRET = b"SECRET-7a61f0"
 FOREIGN = b"notes of somebody, 1, 2\n"
 CODES = {0, 2, 3, 4, 5, 7, 8, 9}
@@ -115,6 +116,7 @@ class Run:
 def damaged(text: str, chance: random.Random) -> str:
     """Returns the text after random damage, including malicious changes."""
     for _ in range(chance.choice([1, 1, 2, 4])):
+        text = text[:LARGEST]
         lines = text.split("\n")
         line = chance.randrange(len(lines))
         words = lines[line].split(" ")
@@ -142,7 +144,7 @@ def damaged(text: str, chance: random.Random) -> str:
                 continue
         lines[line : line + 1] = [" ".join(words)] if line < len(lines) and lines[line].split(" ") != words else lines[line : line + 1]
         text = "\n".join(lines)
-    return text
+    return text[:LARGEST]
 
 
 def prepared(place: Path, chance: random.Random) -> Run:
