@@ -45,11 +45,7 @@ class Differentiation {
     }
 
     // Returns the derivative of the pressure of each element by the approach.
-    std::vector<double> pressure_by_approach() {
-        std::vector<double> by_approach(problem_.grid.size());
-        contact_.paste(dp_, by_approach);
-        return by_approach;
-    }
+    std::vector<double> pressure_by_approach() { return contact_.on_grid(dp_, problem_.grid.size()); }
 
     SolverEvidence evidence() const { return {iterations_, residual_, converged_, stopwatch_.seconds()}; }
 

@@ -221,12 +221,9 @@ FrozenContact::Vector FrozenContact::tangential_residual() {
     return free_of(out_);
 }
 
-void FrozenContact::paste(const Vector& dp, Values& whole) {
+FrozenContact::Values FrozenContact::on_grid(const Vector& dp, std::size_t size) {
     take_pressures(dp);
-    if (is_whole_)
-        whole = p_;
-    else
-        restriction_.paste(p_, whole);
+    return paste(p_, size);
 }
 
 void FrozenContact::normal(const Vector& dp, Vector& result) {

@@ -97,8 +97,8 @@ class FrozenContact {
     Forces forces_of_bound(const Vector& dg);
     double element_area() const { return grid_.element_area(); }
 
-    // Copies dp to the elements of the problem's grid; values outside the contact do not change.
-    void paste(const Vector& dp, Values& whole);
+    // Returns dp on the elements of the problem's grid, 0 outside the contact.
+    Values on_grid(const Vector& dp, std::size_t size);
 
     // The following are for the transposed equations. Their arrays have one value per element of a box around the
     // contact, into which crop() and paste() convert.
