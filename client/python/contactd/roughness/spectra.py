@@ -11,6 +11,7 @@ import numpy as np
 from ..calls.answer_warnings import ContactWarning
 from ..errors import invalid
 from ..values.arrays import Array
+from ..values.periodogram import mean_squares
 from .records import Record
 
 __all__ = ["ISO_3095_2013", "Lines", "Spectrum", "lines_of", "nominal", "spectrum_of"]
@@ -119,11 +120,7 @@ def lines_of(record: Record, *, segment: float = SEGMENT) -> Lines:
     place = np.arange(size) - (size - 1) / 2
     pieces = pieces - pieces.mean(axis=1, keepdims=True)
     pieces = pieces - np.outer(pieces @ place / (place @ place), place)
-    window = 0.5 - 0.5 * np.cos(2 * np.pi * np.arange(size) / size)
-    squares = np.abs(np.fft.rfft(pieces * window, axis=1)) ** 2 * 2 / (size * float(window @ window))
-    if size % 2 == 0:
-        squares[:, -1] /= 2
-    return Lines(1 / (size * record.spacing), np.asarray(squares.mean(axis=0)[1:]), len(starts))
+    return Lines(1 / (size * record.spacing), mean_squares(pieces)[1:], len(starts))
 
 
 def spectrum_of(record: Record, *, segment: float = SEGMENT) -> Spectrum:

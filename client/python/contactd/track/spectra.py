@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..errors import invalid
+from ..values.periodogram import mean_squares
 from .checks import Array, check_number, checked_array
 
 __all__ = ["third_octaves"]
@@ -30,11 +31,9 @@ def third_octaves(values: npt.ArrayLike, rate: float, low: float = 20.0, high: f
     count = min(len(given), max(16, round(segment * rate)))
     check_number("low", low, "Hz", 4 * rate / count * (1 - 1e-9), 0.4 * rate, "Use longer segments, or a longer run.")
     check_number("high", high, "Hz", low, 0.4 * rate, "Use a higher sampling rate.")
-    window = 0.5 - 0.5 * np.cos(2 * math.pi * np.arange(count) / count)
     starts = range(0, len(given) - count + 1, max(1, count // 2))
     centred = given - given.mean()
-    power = np.mean([np.abs(np.fft.rfft(window * centred[start : start + count])) ** 2 for start in starts], axis=0)
-    power *= 2 / (count * (window**2).sum())
+    power = mean_squares(np.stack([centred[start : start + count] for start in starts]))
     edges = rate / count * (np.arange(len(power) + 1) - 0.5)
     centres = 10 ** (np.arange(math.ceil(10 * math.log10(low) - 0.5), math.floor(10 * math.log10(high) + 0.5) + 1) / 10)
     sums = np.concatenate([[0.0], np.cumsum(power)])
