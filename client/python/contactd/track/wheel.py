@@ -14,6 +14,7 @@ from .checks import Array, check_number, refused
 __all__ = ["LinearWheel", "SuspendedMass", "Wheel", "WheelMode"]
 
 _HEAVY, _HIGH = 1500.0, 2e5  #: Mass (kg) and load (N) that are those of a wheelset rather than of a wheel.
+_GRAVITY = 9.81  #: m/s^2
 _GAUSS = 8  #: Points of the quadrature of dissipation in a step.
 
 
@@ -81,6 +82,8 @@ class Wheel:
             check_number(f"wheel.modes[{i}].mass", mode.mass, "kg", 0.1, 1e6)
         if self.mass > _HEAVY or self.load > _HIGH:
             give([f"wheel: mass {self.mass:g} kg, load {self.load:g} N. These are those of one wheel, on one rail; did you give those of the wheelset?"])
+        if self.load < _GRAVITY * self.mass:
+            give([f"wheel.load = {self.load:g} N is less than the weight of wheel.mass = {self.mass:g} kg, which it includes. Give it in N; is it in kN?"])
 
 
 class LinearWheel:

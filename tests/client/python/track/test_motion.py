@@ -237,6 +237,8 @@ def test_wrong_inputs_are_refused(make, message):
 def test_likely_mistakes_give_a_warning(ring):
     with pytest.warns(ContactWarning, match="those of the wheelset"):
         Wheel(1800, 200e3)
+    with pytest.warns(ContactWarning, match="less than the weight of wheel.mass = 600 kg"):
+        Wheel(600, 5000)
     x = np.linspace(0, 0.5, 2001)
     short = Record(x, 20 * np.sin(2 * math.pi * x / 0.002), x_unit="m", unit="um")
     with pytest.warns(ContactWarning, match="Its end values apply outside"):
